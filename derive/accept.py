@@ -6,6 +6,7 @@ cache, which is named by content.
 """
 
 import logging
+import zlib
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -70,7 +71,7 @@ def accepted_law(law: Law, ranges: Ranges = NOTHING) -> CompiledLaw:
 
 
 def _verify_once(declared: Element | Law, compiled: CompiledElement | CompiledLaw, ranges: Ranges) -> None:
-    note = compiled.path.with_suffix(".verified")
+    note = compiled.path.with_suffix(f"{_mark(ranges)}.verified")
     if note.exists():
         return
     _check_finite(declared, Compiled(compiled.spec, compiled.address), ranges)
@@ -88,6 +89,14 @@ def _verify_once(declared: Element | Law, compiled: CompiledElement | CompiledLa
         )
     log.info("%s agrees with its definition: %d outputs of its kernels", _owner(declared), len(rows))
     _write(note, Verification(tuple(rows), 0.0).table())
+
+
+def _mark(ranges: Ranges) -> str:
+    """Part of a file's name for the ranges of a verification: it holds in these only."""
+    if not ranges:
+        return ""
+    listed = sorted((name, float(low), float(high)) for name, (low, high) in ranges.items())
+    return f".{zlib.crc32(repr(listed).encode()):08x}"
 
 
 def _accepted(row: "Row", smooth: bool) -> bool:

@@ -9,6 +9,7 @@ from math import isqrt, prod
 from typing import Any
 
 Parameters = Mapping[str, Any]  # arrays or sequences of numbers
+FORMULA_NUMBERS = "formula_numbers"  # the parameter of a law that holds the numbers of a formula
 _NEGLIGIBLE = 1e-9  # of a period, relative to the largest of its terms
 
 

@@ -573,7 +573,7 @@ static void planar_beam_first_order_stiffness(size_t nblocks, const real *const 
     }
 }
 
-/* inertia: 291 operations.
+/* inertia: 313 operations.
  * in:  x (6), v (6), p (8)
  * out: M (6,6), h (6), f (6), U (1) */
 FLEXEL_CLONES
@@ -587,10 +587,10 @@ static void planar_beam_first_order_inertia(size_t nblocks, const real *const *i
         real *restrict h = out[1] + b * (6 * 8);
         real *restrict f = out[2] + b * (6 * 8);
         real *restrict U = out[3] + b * (1 * 8);
-        real t0[8], t1[8], t2[8], sin_p[8], t3[8], sin_q[8], t5[8], t6[8], t7[8], cos_p[8], cos_q[8], t13[8], t14[8],
-            t16[8], t18[8], t24[8], t27[8], t29[8], t38[8], t39[8], t40[8], t51[8], t54[8], t56[8], t58[8], t59[8],
-            t60[8], t63[8], t64[8], t69[8], t71[8], t72[8], t75[8], t77[8], t78[8], t79[8], t84[8], t88[8], t89[8],
-            t90[8], t92[8];
+        real t0[8], t1[8], t2[8], sin_p[8], t3[8], sin_q[8], d_x[8], d_y[8], t5[8], t7[8], t8[8], cos_p[8], cos_q[8],
+            t14[8], t15[8], t17[8], t19[8], t25[8], t28[8], t30[8], t39[8], t40[8], t42[8], t45[8], t46[8], t58[8],
+            t61[8], t65[8], t67[8], t68[8], t69[8], t72[8], t73[8], t78[8], t80[8], t81[8], t86[8], t88[8], t89[8],
+            t90[8], t95[8], t99[8], t100[8], t101[8], t103[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real l0 = p[0 * 8 + j];
@@ -603,59 +603,65 @@ static void planar_beam_first_order_inertia(size_t nblocks, const real *const *i
             const real rq_angle = x[5 * 8 + j];
             const real alphaq0 = p[2 * 8 + j];
             t3[j] = rq_angle + alphaq0;
-            t5[j] = 1.0 / l0;
+            const real q_x = x[3 * 8 + j];
+            const real p_x = x[0 * 8 + j];
+            d_x[j] = q_x - p_x;
+            const real q_y = x[4 * 8 + j];
+            const real p_y = x[1 * 8 + j];
+            d_y[j] = q_y - p_y;
+            const real l = real_sqrt(d_x[j] * d_x[j] + d_y[j] * d_y[j]);
+            t5[j] = 1.0 / l;
+            const real t6 = t5[j] * t5[j];
             const real phi_z = p[5 * 8 + j];
             const real rhoJ = p[4 * 8 + j];
-            t6[j] = 1.0 / (1.0 + phi_z) * (1.0 / (1.0 + phi_z)) * l0 * rhoJ;
-            t7[j] = t5[j] * t6[j] * t5[j];
-            t13[j] = (phi_z - 0.2) * t6[j];
-            t14[j] = t5[j] * t13[j];
-            t16[j] = l0 * t0[j];
-            t18[j] = 0.12857142857142856 * t0[j];
-            t24[j] = l0 * l0 * t0[j];
-            const real t26 = phi_z * (0.16666666666666666 + 0.3333333333333333 * phi_z);
-            t27[j] = 0.5 * (0.13333333333333333 + t26) * t6[j];
-            const real t28 = 0.3333333333333333 * (phi_z * (phi_z - 1.0)) - 0.06666666666666667;
-            t29[j] = 0.5 * t28 * t6[j];
+            t7[j] = 1.0 / (1.0 + phi_z) * (1.0 / (1.0 + phi_z)) * l0 * rhoJ;
+            t8[j] = t6 * t7[j];
+            t14[j] = (phi_z - 0.2) * t7[j];
+            t15[j] = t5[j] * t14[j];
+            t17[j] = l0 * t0[j];
+            t19[j] = 0.12857142857142856 * t0[j];
+            t25[j] = l0 * l0 * t0[j];
+            const real t27 = phi_z * (0.16666666666666666 + 0.3333333333333333 * phi_z);
+            t28[j] = 0.5 * (0.13333333333333333 + t27) * t7[j];
+            const real t29 = 0.3333333333333333 * (phi_z * (phi_z - 1.0)) - 0.06666666666666667;
+            t30[j] = 0.5 * t29 * t7[j];
             const real q_vy = v[4 * 8 + j];
             const real p_vy = v[1 * 8 + j];
-            t38[j] = q_vy - p_vy;
+            t39[j] = q_vy - p_vy;
             const real q_vx = v[3 * 8 + j];
             const real p_vx = v[0 * 8 + j];
-            t39[j] = q_vx - p_vx;
+            t40[j] = q_vx - p_vx;
             const real rp_vangle = v[2 * 8 + j];
             const real rq_vangle = v[5 * 8 + j];
-            t40[j] = 0.25 * (rp_vangle + rq_vangle) * t13[j];
-            t51[j] = rq_vangle * t16[j];
-            t54[j] = rp_vangle * t16[j];
-            t56[j] = rp_vangle * t24[j];
-            t58[j] = rp_vangle * rp_vangle * t24[j];
-            t59[j] = 0.030952380952380953 * q_vy + 0.05238095238095238 * p_vy;
-            t60[j] = t54[j] * t59[j];
-            t63[j] = rq_vangle * t24[j];
-            t64[j] = rp_vangle * t63[j];
-            t69[j] = 0.030952380952380953 * q_vx + 0.05238095238095238 * p_vx;
-            t71[j] = t54[j] * t69[j];
-            t72[j] = rp_vangle * rq_vangle;
-            t75[j] = 0.05238095238095238 * q_vy + 0.030952380952380953 * p_vy;
-            t77[j] = 0.05238095238095238 * q_vx + 0.030952380952380953 * p_vx;
-            t78[j] = rq_vangle * rq_vangle * t24[j];
-            t79[j] = t51[j] * t75[j];
-            t84[j] = t51[j] * t77[j];
+            t42[j] = 0.25 * (rp_vangle + rq_vangle) * t14[j];
+            t45[j] = t5[j] * t6;
+            t46[j] = t45[j] * (d_x[j] * t40[j] + d_y[j] * t39[j]);
+            t58[j] = rq_vangle * t17[j];
+            t61[j] = rp_vangle * t17[j];
+            t65[j] = rp_vangle * t25[j];
+            t67[j] = rp_vangle * rp_vangle * t25[j];
+            t68[j] = 0.030952380952380953 * q_vy + 0.05238095238095238 * p_vy;
+            t69[j] = t61[j] * t68[j];
+            t72[j] = rq_vangle * t25[j];
+            t73[j] = rp_vangle * t72[j];
+            t78[j] = 0.030952380952380953 * q_vx + 0.05238095238095238 * p_vx;
+            t80[j] = t61[j] * t78[j];
+            t81[j] = rp_vangle * rq_vangle;
+            t86[j] = 0.05238095238095238 * q_vy + 0.030952380952380953 * p_vy;
+            t88[j] = 0.05238095238095238 * q_vx + 0.030952380952380953 * p_vx;
+            t89[j] = rq_vangle * rq_vangle * t25[j];
+            t90[j] = t58[j] * t86[j];
+            t95[j] = t58[j] * t88[j];
             const real gravity_x = p[6 * 8 + j];
-            const real t86 = gravity_x * t0[j];
-            f[0 * 8 + j] = f[3 * 8 + j] = 0.5 * t86;
+            const real t97 = gravity_x * t0[j];
+            f[0 * 8 + j] = f[3 * 8 + j] = 0.5 * t97;
             const real gravity_y = p[7 * 8 + j];
-            const real t87 = gravity_y * t0[j];
-            f[1 * 8 + j] = f[4 * 8 + j] = 0.5 * t87;
-            t88[j] = l0 * t87;
-            t89[j] = l0 * t86;
-            const real p_x = x[0 * 8 + j];
-            const real q_x = x[3 * 8 + j];
-            t90[j] = 0.5 * (p_x + q_x);
-            const real p_y = x[1 * 8 + j];
-            const real q_y = x[4 * 8 + j];
-            t92[j] = 0.5 * (p_y + q_y);
+            const real t98 = gravity_y * t0[j];
+            f[1 * 8 + j] = f[4 * 8 + j] = 0.5 * t98;
+            t99[j] = l0 * t98;
+            t100[j] = l0 * t97;
+            t101[j] = 0.5 * (p_x + q_x);
+            t103[j] = 0.5 * (p_y + q_y);
         }
         for (size_t j = 0; j < 8; j++) {
             sin_p[j] = real_sin(t2[j]);
@@ -666,99 +672,107 @@ static void planar_beam_first_order_inertia(size_t nblocks, const real *const *i
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real t4 = sin_p[j] + sin_q[j];
-            const real t8 = t4 * t7[j];
-            const real t9 = 0.3 * (t4 * t8);
-            M[0 * 8 + j] = M[21 * 8 + j] = t1[j] + t9; /* M(0,0) M(3,3) */
-            const real t10 = cos_p[j] + cos_q[j];
-            const real t11 = t10 * t7[j];
-            const real t12 = 0.3 * (t4 * t11);
-            M[4 * 8 + j] = M[24 * 8 + j] = t12; /* M(0,4) M(4,0) */
-            M[1 * 8 + j] = M[6 * 8 + j] = M[22 * 8 + j] = M[27 * 8 + j] = -t12; /* M(0,1) M(1,0) M(3,4) M(4,3) */
-            const real t15 = 0.25 * t4 * t14[j];
-            const real t17 = sin_p[j] * t16[j];
-            M[2 * 8 + j] = M[12 * 8 + j] = t15 - 0.05238095238095238 * t17; /* M(0,2) M(2,0) */
-            M[3 * 8 + j] = M[18 * 8 + j] = t18[j] - t9; /* M(0,3) M(3,0) */
-            const real t19 = sin_q[j] * t16[j];
-            M[5 * 8 + j] = M[30 * 8 + j] = 0.030952380952380953 * t19 + t15; /* M(0,5) M(5,0) */
-            const real t20 = 0.3 * (t10 * t11);
-            M[7 * 8 + j] = M[28 * 8 + j] = t1[j] + t20; /* M(1,1) M(4,4) */
-            const real t21 = cos_p[j] * t16[j];
-            const real t22 = 0.25 * t10 * t14[j];
-            M[8 * 8 + j] = M[13 * 8 + j] = 0.05238095238095238 * t21 - t22; /* M(1,2) M(2,1) */
-            M[9 * 8 + j] = M[19 * 8 + j] = 0.3 * (t10 * t8); /* M(1,3) M(3,1) */
-            M[10 * 8 + j] = M[25 * 8 + j] = t18[j] - t20; /* M(1,4) M(4,1) */
-            const real t23 = cos_q[j] * t16[j];
-            M[11 * 8 + j] = M[31 * 8 + j] = -(0.030952380952380953 * t23 + t22); /* M(1,5) M(5,1) */
-            const real t25 = 0.004761904761904762 * (t24[j] * (cos_p[j] * cos_p[j] + sin_p[j] * sin_p[j]));
-            M[14 * 8 + j] = 2.0 * (t25 + t27[j]); /* M(2,2) */
-            M[15 * 8 + j] = M[20 * 8 + j] = -(0.030952380952380953 * t17 + t15); /* M(2,3) M(3,2) */
-            M[16 * 8 + j] = M[26 * 8 + j] = 0.030952380952380953 * t21 + t22; /* M(2,4) M(4,2) */
-            const real t30 = sin_q[j] * t24[j];
-            const real t31 = 0.007142857142857143 * (sin_p[j] * t30 + cos_p[j] * cos_q[j] * t24[j]);
-            M[17 * 8 + j] = M[32 * 8 + j] = t29[j] - t31; /* M(2,5) M(5,2) */
-            M[23 * 8 + j] = M[33 * 8 + j] = 0.05238095238095238 * t19 - t15; /* M(3,5) M(5,3) */
-            M[29 * 8 + j] = M[34 * 8 + j] = t22 - 0.05238095238095238 * t23; /* M(4,5) M(5,4) */
-            const real t32 = 0.004761904761904762 * (t24[j] * (cos_q[j] * cos_q[j] + sin_q[j] * sin_q[j]));
-            M[35 * 8 + j] = 2.0 * (t32 + t27[j]); /* M(5,5) */
+            const real t9 = t4 * t8[j];
+            const real t10 = 0.3 * (t4 * t9);
+            M[0 * 8 + j] = M[21 * 8 + j] = t1[j] + t10; /* M(0,0) M(3,3) */
+            const real t11 = cos_p[j] + cos_q[j];
+            const real t12 = t11 * t8[j];
+            const real t13 = 0.3 * (t4 * t12);
+            M[4 * 8 + j] = M[24 * 8 + j] = t13; /* M(0,4) M(4,0) */
+            M[1 * 8 + j] = M[6 * 8 + j] = M[22 * 8 + j] = M[27 * 8 + j] = -t13; /* M(0,1) M(1,0) M(3,4) M(4,3) */
+            const real t16 = 0.25 * t4 * t15[j];
+            const real t18 = sin_p[j] * t17[j];
+            M[2 * 8 + j] = M[12 * 8 + j] = t16 - 0.05238095238095238 * t18; /* M(0,2) M(2,0) */
+            M[3 * 8 + j] = M[18 * 8 + j] = t19[j] - t10; /* M(0,3) M(3,0) */
+            const real t20 = sin_q[j] * t17[j];
+            M[5 * 8 + j] = M[30 * 8 + j] = 0.030952380952380953 * t20 + t16; /* M(0,5) M(5,0) */
+            const real t21 = 0.3 * (t11 * t12);
+            M[7 * 8 + j] = M[28 * 8 + j] = t1[j] + t21; /* M(1,1) M(4,4) */
+            const real t22 = cos_p[j] * t17[j];
+            const real t23 = 0.25 * t11 * t15[j];
+            M[8 * 8 + j] = M[13 * 8 + j] = 0.05238095238095238 * t22 - t23; /* M(1,2) M(2,1) */
+            M[9 * 8 + j] = M[19 * 8 + j] = 0.3 * (t11 * t9); /* M(1,3) M(3,1) */
+            M[10 * 8 + j] = M[25 * 8 + j] = t19[j] - t21; /* M(1,4) M(4,1) */
+            const real t24 = cos_q[j] * t17[j];
+            M[11 * 8 + j] = M[31 * 8 + j] = -(0.030952380952380953 * t24 + t23); /* M(1,5) M(5,1) */
+            const real t26 = 0.004761904761904762 * (t25[j] * (cos_p[j] * cos_p[j] + sin_p[j] * sin_p[j]));
+            M[14 * 8 + j] = 2.0 * (t26 + t28[j]); /* M(2,2) */
+            M[15 * 8 + j] = M[20 * 8 + j] = -(0.030952380952380953 * t18 + t16); /* M(2,3) M(3,2) */
+            M[16 * 8 + j] = M[26 * 8 + j] = 0.030952380952380953 * t22 + t23; /* M(2,4) M(4,2) */
+            const real t31 = sin_q[j] * t25[j];
+            const real t32 = 0.007142857142857143 * (sin_p[j] * t31 + cos_p[j] * cos_q[j] * t25[j]);
+            M[17 * 8 + j] = M[32 * 8 + j] = t30[j] - t32; /* M(2,5) M(5,2) */
+            M[23 * 8 + j] = M[33 * 8 + j] = 0.05238095238095238 * t20 - t16; /* M(3,5) M(5,3) */
+            M[29 * 8 + j] = M[34 * 8 + j] = t23 - 0.05238095238095238 * t24; /* M(4,5) M(5,4) */
+            const real t33 = 0.004761904761904762 * (t25[j] * (cos_q[j] * cos_q[j] + sin_q[j] * sin_q[j]));
+            M[35 * 8 + j] = 2.0 * (t33 + t28[j]); /* M(5,5) */
             const real rq_vangle = v[5 * 8 + j];
-            const real t33 = rq_vangle * cos_q[j];
-            const real t34 = t33 * t16[j];
-            const real t35 = rq_vangle * t34;
+            const real t34 = rq_vangle * cos_q[j];
+            const real t35 = t34 * t17[j];
+            const real t36 = rq_vangle * t35;
             const real rp_vangle = v[2 * 8 + j];
-            const real t36 = rp_vangle * cos_p[j];
-            const real t37 = t36 + t33;
-            const real t41 = 0.3 * (t5[j] * (t10 * t38[j] - t39[j] * t4) * t6[j]) + t40[j];
-            const real t42 = t5[j] * t41;
-            const real t43 = rp_vangle * sin_p[j];
-            const real t44 = rq_vangle * sin_q[j];
-            const real t45 = t43 + t44;
-            const real t46 = t5[j] * (t38[j] * t45 + t39[j] * t37);
-            const real t47 = t5[j] * t46 * t6[j];
-            const real t48 = t37 * t42 - 0.3 * (t4 * t47);
-            const real t49 = t36 * t16[j];
-            const real t50 = rp_vangle * t49;
-            h[0 * 8 + j] = 0.030952380952380953 * t35 + t48 - 0.05238095238095238 * t50;
-            const real t52 = t44 * t51[j];
-            const real t53 = t45 * t42 + 0.3 * (t10 * t47);
-            const real t55 = t43 * t54[j];
-            h[1 * 8 + j] = 0.030952380952380953 * t52 + t53 - 0.05238095238095238 * t55;
-            const real t57 = 0.01904761904761905 * ((sin_p[j] * t36 - cos_p[j] * t43) * t56[j]);
-            const real t61 = t38[j] * t42;
-            const real t62 = t60[j] + t61 + 0.009523809523809525 * (cos_p[j] * t58[j]);
-            const real t65 = sin_p[j] * (t62 - 0.007142857142857143 * (cos_q[j] * t64[j]));
-            const real t66 = cos_q[j] * t43 + cos_p[j] * t44;
-            const real t67 = t36 * t30 + sin_p[j] * t24[j] * t33;
-            const real t68 = t65 + 0.007142857142857143 * (t63[j] * t66 - rq_vangle * t67);
-            const real t70 = 0.25 * t46 * t13[j];
-            const real t73 = 0.009523809523809525 * (sin_p[j] * t58[j]) - t71[j] - 0.007142857142857143 * (t72[j]
-                * t30);
-            const real t74 = t39[j] * t42;
-            h[2 * 8 + j] = t57 + t68 - t43 * t16[j] * t59[j] - t49 * t69[j] - t70 - cos_p[j] * (t73 - t74);
-            h[3 * 8 + j] = 0.05238095238095238 * t35 - 0.030952380952380953 * t50 - t48;
-            h[4 * 8 + j] = 0.05238095238095238 * t52 - 0.030952380952380953 * t55 - t53;
-            const real t76 = 0.007142857142857143 * (rp_vangle * (t24[j] * t66 - t67));
-            const real t80 = 0.009523809523809525 * (cos_q[j] * t78[j]) + t61 - t79[j];
-            const real t81 = sin_q[j] * (t80 - 0.007142857142857143 * (cos_p[j] * t64[j]));
-            const real t82 = 0.01904761904761905 * (t63[j] * (sin_q[j] * t33 - cos_q[j] * t44));
-            const real t83 = t81 + t82 + t34 * t77[j] + t76 + t44 * t16[j] * t75[j] - t70;
-            const real t85 = 0.009523809523809525 * (sin_q[j] * t78[j]) + t84[j] - 0.007142857142857143 * (sin_p[j]
-                * t72[j] * t24[j]);
-            h[5 * 8 + j] = t83 - cos_q[j] * (t85 - t74);
-            f[2 * 8 + j] = 0.08333333333333333 * (cos_p[j] * t88[j] - sin_p[j] * t89[j]);
-            f[5 * 8 + j] = 0.08333333333333333 * (sin_q[j] * t89[j] - cos_q[j] * t88[j]);
+            const real t37 = rp_vangle * cos_p[j];
+            const real t38 = t37 + t34;
+            const real t41 = t11 * t39[j] - t40[j] * t4;
+            const real t43 = 0.3 * (t5[j] * t41 * t7[j]) + t42[j];
+            const real t44 = t5[j] * t43;
+            const real t47 = rp_vangle * sin_p[j];
+            const real t48 = rq_vangle * sin_q[j];
+            const real t49 = t47 + t48;
+            const real t50 = t5[j] * (t39[j] * t49 + t40[j] * t38) + t41 * t46[j];
+            const real t51 = t46[j] * t43 + 0.3 * (t5[j] * t50 * t7[j]);
+            const real t52 = t38 * t44 - t4 * t51;
+            const real t53 = t37 * t17[j];
+            const real t54 = rp_vangle * t53;
+            const real t55 = 0.030952380952380953 * t36 + t52 - 0.05238095238095238 * t54;
+            const real t56 = t41 * t43 * t45[j];
+            const real t57 = d_x[j] * t56;
+            h[0 * 8 + j] = t55 - t57;
+            const real t59 = t48 * t58[j];
+            const real t60 = t49 * t44 + t11 * t51;
+            const real t62 = t47 * t61[j];
+            const real t63 = 0.030952380952380953 * t59 + t60 - 0.05238095238095238 * t62;
+            const real t64 = d_y[j] * t56;
+            h[1 * 8 + j] = t63 - t64;
+            const real t66 = 0.01904761904761905 * ((sin_p[j] * t37 - cos_p[j] * t47) * t65[j]);
+            const real t70 = t39[j] * t44;
+            const real t71 = t69[j] + t70 + 0.009523809523809525 * (cos_p[j] * t67[j]);
+            const real t74 = sin_p[j] * (t71 - 0.007142857142857143 * (cos_q[j] * t73[j]));
+            const real t75 = cos_q[j] * t47 + cos_p[j] * t48;
+            const real t76 = t37 * t31 + sin_p[j] * t25[j] * t34;
+            const real t77 = t74 + 0.007142857142857143 * (t72[j] * t75 - rq_vangle * t76);
+            const real t79 = 0.25 * t50 * t14[j];
+            const real t82 = 0.009523809523809525 * (sin_p[j] * t67[j]) - t80[j] - 0.007142857142857143 * (t81[j]
+                * t31);
+            const real t83 = t40[j] * t44;
+            h[2 * 8 + j] = t66 + t77 - t47 * t17[j] * t68[j] - t53 * t78[j] - t79 - cos_p[j] * (t82 - t83);
+            const real t84 = 0.05238095238095238 * t36 + t57 - 0.030952380952380953 * t54;
+            h[3 * 8 + j] = t84 - t52;
+            const real t85 = 0.05238095238095238 * t59 + t64 - 0.030952380952380953 * t62;
+            h[4 * 8 + j] = t85 - t60;
+            const real t87 = 0.007142857142857143 * (rp_vangle * (t25[j] * t75 - t76));
+            const real t91 = 0.009523809523809525 * (cos_q[j] * t89[j]) + t70 - t90[j];
+            const real t92 = sin_q[j] * (t91 - 0.007142857142857143 * (cos_p[j] * t73[j]));
+            const real t93 = 0.01904761904761905 * (t72[j] * (sin_q[j] * t34 - cos_q[j] * t48));
+            const real t94 = t92 + t93 + t35 * t88[j] + t87 + t48 * t17[j] * t86[j] - t79;
+            const real t96 = 0.009523809523809525 * (sin_q[j] * t89[j]) + t95[j] - 0.007142857142857143 * (sin_p[j]
+                * t81[j] * t25[j]);
+            h[5 * 8 + j] = t94 - cos_q[j] * (t96 - t83);
+            f[2 * 8 + j] = 0.08333333333333333 * (cos_p[j] * t99[j] - sin_p[j] * t100[j]);
+            f[5 * 8 + j] = 0.08333333333333333 * (sin_q[j] * t100[j] - cos_q[j] * t99[j]);
             const real l0 = p[0 * 8 + j];
-            const real t91 = t90[j] + 0.08333333333333333 * (l0 * (cos_p[j] - cos_q[j]));
+            const real t102 = t101[j] + 0.08333333333333333 * (l0 * (cos_p[j] - cos_q[j]));
             const real gravity_x = p[6 * 8 + j];
-            const real t93 = t92[j] + 0.08333333333333333 * (l0 * (sin_p[j] - sin_q[j]));
+            const real t104 = t103[j] + 0.08333333333333333 * (l0 * (sin_p[j] - sin_q[j]));
             const real gravity_y = p[7 * 8 + j];
-            U[0 * 8 + j] = -((gravity_x * t91 + gravity_y * t93) * t0[j]);
+            U[0 * 8 + j] = -((gravity_x * t102 + gravity_y * t104) * t0[j]);
         }
     }
 }
 
-/* tangent: 539 operations.
+/* tangent: 745 operations.
  * in:  x (6), v (6), a (6), p (8)
- * out: R_x (6,6), 12 of 36 entries, R_v (6,6) */
+ * out: R_x (6,6), R_v (6,6) */
 FLEXEL_CLONES
 static void planar_beam_first_order_tangent(size_t nblocks, const real *const *in, real *const *out)
 {
@@ -767,284 +781,392 @@ static void planar_beam_first_order_tangent(size_t nblocks, const real *const *i
         const real *restrict v = in[1] + b * (6 * 8);
         const real *restrict a = in[2] + b * (6 * 8);
         const real *restrict p = in[3] + b * (8 * 8);
-        real *restrict R_x = out[0] + b * (12 * 8);
+        real *restrict R_x = out[0] + b * (36 * 8);
         real *restrict R_v = out[1] + b * (36 * 8);
-        real t0[8], cos_p[8], t1[8], t2[8], t3[8], t4[8], cos_q[8], t6[8], t7[8], sin_p[8], sin_q[8], t11[8], t16[8],
-            t18[8], t19[8], t24[8], t27[8], t32[8], t46[8], t48[8], t51[8], t52[8], t53[8], t54[8], t55[8], t60[8],
-            t63[8], t70[8], t72[8], t73[8], t94[8], t95[8], t98[8], t109[8], t111[8], t117[8], t131[8], t132[8],
-            t135[8], t137[8], t140[8], t142[8], t145[8], t161[8], t166[8], t167[8], t169[8], t172[8], t173[8];
+        real d_x[8], d_y[8], t0[8], t1[8], t2[8], cos_p[8], t3[8], cos_q[8], t5[8], t6[8], sin_p[8], sin_q[8], t10[8],
+            t11[8], t12[8], t17[8], t18[8], t19[8], t21[8], t22[8], t23[8], t30[8], t34[8], t36[8], t46[8], t48[8],
+            t52[8], t53[8], t54[8], t56[8], t57[8], t63[8], t68[8], t70[8], t74[8], t77[8], t83[8], t86[8], t102[8],
+            t107[8], t108[8], t109[8], t110[8], t114[8], t125[8], t129[8], t131[8], t132[8], t133[8], t139[8],
+            t143[8], t149[8], t151[8], t153[8], t155[8], t160[8], t162[8], t168[8], t170[8], t173[8], t179[8],
+            t180[8], t232[8], t236[8], t238[8], t262[8], t264[8], t265[8], t267[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
+            const real q_x = x[3 * 8 + j];
+            const real p_x = x[0 * 8 + j];
+            d_x[j] = q_x - p_x;
+            const real q_y = x[4 * 8 + j];
+            const real p_y = x[1 * 8 + j];
+            d_y[j] = q_y - p_y;
+            const real l = real_sqrt(d_x[j] * d_x[j] + d_y[j] * d_y[j]);
+            t0[j] = 1.0 / l;
+            t1[j] = t0[j] * t0[j];
             const real rp_angle = x[2 * 8 + j];
             const real alpha0 = p[1 * 8 + j];
-            t0[j] = rp_angle + alpha0;
-            const real l0 = p[0 * 8 + j];
-            t1[j] = 1.0 / l0;
-            const real phi_z = p[5 * 8 + j];
-            const real rhoJ = p[4 * 8 + j];
-            t2[j] = 1.0 / (1.0 + phi_z) * (1.0 / (1.0 + phi_z)) * l0 * rhoJ;
-            t3[j] = t1[j] * t2[j];
+            t2[j] = rp_angle + alpha0;
             const real rq_angle = x[5 * 8 + j];
             const real alphaq0 = p[2 * 8 + j];
-            t4[j] = rq_angle + alphaq0;
-            const real q_ay = a[4 * 8 + j];
-            const real p_ay = a[1 * 8 + j];
-            t6[j] = q_ay - p_ay;
+            t3[j] = rq_angle + alphaq0;
             const real q_vy = v[4 * 8 + j];
             const real p_vy = v[1 * 8 + j];
-            t7[j] = q_vy - p_vy;
+            t5[j] = q_vy - p_vy;
             const real q_vx = v[3 * 8 + j];
             const real p_vx = v[0 * 8 + j];
-            t11[j] = q_vx - p_vx;
-            const real q_ax = a[3 * 8 + j];
-            const real p_ax = a[0 * 8 + j];
-            t16[j] = q_ax - p_ax;
-            t18[j] = (phi_z - 0.2) * t2[j];
-            const real rp_aangle = a[2 * 8 + j];
-            const real rq_aangle = a[5 * 8 + j];
-            t19[j] = 0.25 * t18[j] * (rp_aangle + rq_aangle);
-            t24[j] = t1[j] * t3[j];
+            t6[j] = q_vx - p_vx;
+            const real phi_z = p[5 * 8 + j];
+            const real t9 = 1.0 / (1.0 + phi_z);
+            const real l0 = p[0 * 8 + j];
+            const real rhoJ = p[4 * 8 + j];
+            t10[j] = l0 * rhoJ * t9 * t9;
+            t11[j] = (phi_z - 0.2) * t10[j];
             const real rp_vangle = v[2 * 8 + j];
             const real rq_vangle = v[5 * 8 + j];
-            t27[j] = 0.25 * (rp_vangle + rq_vangle) * t18[j];
+            t12[j] = 0.25 * t11[j] * (rp_vangle + rq_vangle);
+            t17[j] = t0[j] * t1[j];
+            t18[j] = t6[j] * t17[j];
+            t19[j] = t0[j] * t10[j];
+            t21[j] = d_x[j] * t17[j];
+            const real rp_aangle = a[2 * 8 + j];
+            const real rq_aangle = a[5 * 8 + j];
+            t22[j] = 0.25 * t11[j] * (rp_aangle + rq_aangle);
+            const real q_ay = a[4 * 8 + j];
+            const real p_ay = a[1 * 8 + j];
+            t23[j] = q_ay - p_ay;
+            const real q_ax = a[3 * 8 + j];
+            const real p_ax = a[0 * 8 + j];
+            t30[j] = q_ax - p_ax;
+            const real t32 = d_x[j] * t6[j] + d_y[j] * t5[j];
+            const real t33 = t0[j] * t32;
+            t34[j] = t1[j] * t33;
+            t36[j] = 4.0 * t0[j] * t33 + 2.0 * t1[j] * t32;
+            t46[j] = t5[j] * t17[j];
+            t48[j] = d_y[j] * t17[j];
+            t52[j] = t34[j] * t19[j];
+            t53[j] = t0[j] * t30[j];
+            t54[j] = t0[j] * t5[j];
+            const real t55 = t0[j] * t23[j];
+            t56[j] = t0[j] * t6[j];
+            t57[j] = t55 - rp_vangle * t56[j];
+            t63[j] = t0[j] * t19[j];
             const real rhoA = p[3 * 8 + j];
-            const real t31 = l0 * rhoA;
-            t32[j] = l0 * t31;
-            t46[j] = rp_vangle * t32[j];
-            t48[j] = rq_vangle * t32[j];
-            const real gravity_y = p[7 * 8 + j];
-            t51[j] = 0.08333333333333333 * (gravity_y * t32[j]);
-            t52[j] = t32[j] * (0.030952380952380953 * q_vx + 0.05238095238095238 * p_vx);
-            t53[j] = t51[j] - rp_vangle * t52[j];
-            t54[j] = rp_vangle * rq_vangle;
-            t55[j] = l0 * l0 * t31;
-            t60[j] = rq_vangle * t55[j];
-            t63[j] = rq_aangle * t55[j];
-            const real t69 = 0.030952380952380953 * q_vy + 0.05238095238095238 * p_vy;
-            t70[j] = t46[j] * t69;
+            const real t67 = l0 * rhoA;
+            t68[j] = l0 * t67;
+            const real t69 = rp_aangle * t68[j];
+            t70[j] = 0.05238095238095238 * t69;
+            const real t73 = rp_vangle * t68[j];
+            t74[j] = 0.05238095238095238 * t73;
+            t77[j] = t55 - rq_vangle * t56[j];
+            const real t82 = rq_aangle * t68[j];
+            t83[j] = 0.030952380952380953 * t82;
+            const real t85 = rq_vangle * t68[j];
+            t86[j] = 0.030952380952380953 * t85;
+            t102[j] = l0 * l0 * t67;
+            const real t106 = 0.030952380952380953 * q_vy + 0.05238095238095238 * p_vy;
             const real gravity_x = p[6 * 8 + j];
-            t72[j] = 0.08333333333333333 * (gravity_x * t32[j]);
-            t73[j] = rp_vangle * t60[j];
-            t94[j] = t32[j] * (0.05238095238095238 * q_vx + 0.030952380952380953 * p_vx);
-            t95[j] = rq_vangle * t94[j];
-            const real t97 = 0.05238095238095238 * q_vy + 0.030952380952380953 * p_vy;
-            t98[j] = t48[j] * t97;
-            t109[j] = t1[j] * t18[j];
-            t111[j] = 0.05238095238095238 * t46[j];
-            t117[j] = 0.030952380952380953 * t48[j];
-            t131[j] = t32[j] * t69;
-            t132[j] = rp_vangle * t55[j];
-            const real t134 = q_vy * t32[j];
-            t135[j] = 0.030952380952380953 * t134;
-            const real t136 = p_vy * t32[j];
-            t137[j] = 0.05238095238095238 * t136;
-            const real t139 = p_vx * t32[j];
-            t140[j] = 0.05238095238095238 * t139;
-            const real t141 = q_vx * t32[j];
-            t142[j] = 0.030952380952380953 * t141;
-            t145[j] = 0.030952380952380953 * t46[j];
-            t161[j] = 0.05238095238095238 * t48[j];
-            t166[j] = 0.030952380952380953 * t136;
-            t167[j] = 0.05238095238095238 * t134;
-            t169[j] = t32[j] * t97;
-            t172[j] = 0.030952380952380953 * t139;
-            t173[j] = 0.05238095238095238 * t141;
+            t107[j] = 0.08333333333333333 * (gravity_x * t68[j]);
+            t108[j] = t73 * t106 + t107[j];
+            t109[j] = rq_vangle * t102[j];
+            t110[j] = rp_vangle * t109[j];
+            t114[j] = t68[j] * (0.05238095238095238 * p_ax + 0.030952380952380953 * q_ax);
+            const real t123 = q_vy * t68[j];
+            const real t124 = p_vy * t68[j];
+            t125[j] = 0.030952380952380953 * t123 + 0.05238095238095238 * t124;
+            const real t128 = p_ay * t68[j];
+            t129[j] = 0.05238095238095238 * t128;
+            const real t130 = q_ay * t68[j];
+            t131[j] = 0.030952380952380953 * t130;
+            t132[j] = rp_vangle * rq_vangle;
+            t133[j] = rq_aangle * t102[j];
+            const real gravity_y = p[7 * 8 + j];
+            t139[j] = 0.08333333333333333 * (gravity_y * t68[j]);
+            t143[j] = t132[j] * t102[j];
+            t149[j] = 0.030952380952380953 * t73;
+            t151[j] = 0.030952380952380953 * t69;
+            t153[j] = 0.05238095238095238 * t82;
+            t155[j] = 0.05238095238095238 * t85;
+            t160[j] = rp_vangle * t102[j];
+            t162[j] = rp_aangle * t102[j];
+            t168[j] = 0.05238095238095238 * t123 + 0.030952380952380953 * t124;
+            t170[j] = t68[j] * (0.030952380952380953 * p_ax + 0.05238095238095238 * q_ax);
+            const real t172 = 0.05238095238095238 * q_vy + 0.030952380952380953 * p_vy;
+            t173[j] = t85 * t172;
+            t179[j] = 0.030952380952380953 * t128;
+            t180[j] = 0.05238095238095238 * t130;
+            t232[j] = t68[j] * t106;
+            const real t234 = q_vx * t68[j];
+            const real t235 = p_vx * t68[j];
+            t236[j] = 0.030952380952380953 * t234 + 0.05238095238095238 * t235;
+            t238[j] = t68[j] * (0.030952380952380953 * q_vx + 0.05238095238095238 * p_vx);
+            t262[j] = t68[j] * (0.05238095238095238 * q_vx + 0.030952380952380953 * p_vx);
+            t264[j] = 0.030952380952380953 * t235;
+            t265[j] = 0.05238095238095238 * t234;
+            t267[j] = t68[j] * t172;
         }
         for (size_t j = 0; j < 8; j++) {
-            cos_p[j] = real_cos(t0[j]);
-            cos_q[j] = real_cos(t4[j]);
-            sin_p[j] = real_sin(t0[j]);
-            sin_q[j] = real_sin(t4[j]);
+            cos_p[j] = real_cos(t2[j]);
+            cos_q[j] = real_cos(t3[j]);
+            sin_p[j] = real_sin(t2[j]);
+            sin_q[j] = real_sin(t3[j]);
         }
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
-            const real t5 = cos_p[j] + cos_q[j];
+            const real t4 = cos_p[j] + cos_q[j];
+            const real t7 = sin_p[j] + sin_q[j];
+            const real t8 = t4 * t5[j] - t6[j] * t7;
+            const real t13 = t0[j] * t8;
+            const real t14 = t12[j] + 0.3 * (t13 * t10[j]);
+            const real t15 = t8 * t14 * t1[j];
+            const real t16 = t0[j] * t15;
+            const real t20 = t8 * t18[j];
             const real rp_vangle = v[2 * 8 + j];
-            const real t8 = rp_vangle * sin_p[j];
+            const real t24 = rp_vangle * sin_p[j];
             const real rq_vangle = v[5 * 8 + j];
-            const real t9 = rq_vangle * sin_q[j];
-            const real t10 = t8 + t9;
-            const real t12 = rp_vangle * cos_p[j];
-            const real t13 = rq_vangle * cos_q[j];
-            const real t14 = t12 + t13;
-            const real t15 = sin_p[j] + sin_q[j];
-            const real t17 = t3[j] * (t5 * t6[j] - t7[j] * t10 - t11[j] * t14 - t15 * t16[j]);
-            const real t20 = t1[j] * (0.3 * t17 + t19[j]);
-            const real t21 = t7[j] * t12 + sin_p[j] * t6[j] + cos_p[j] * t16[j] - t11[j] * t8;
-            const real t22 = t1[j] * t21;
-            const real t23 = t3[j] * t22;
-            const real t25 = sin_p[j] * t7[j] + cos_p[j] * t11[j];
-            const real t26 = t24[j] * t25;
-            const real t28 = 0.3 * (t1[j] * (t5 * t7[j] - t11[j] * t15) * t2[j]) + t27[j];
-            const real t29 = t1[j] * t28;
-            const real t30 = cos_p[j] * t20 - 0.3 * (t15 * t23 + t14 * t26) - t8 * t29;
-            const real t33 = cos_p[j] * t32[j];
+            const real t25 = rq_vangle * sin_q[j];
+            const real t26 = t24 + t25;
+            const real t27 = rp_vangle * cos_p[j];
+            const real t28 = rq_vangle * cos_q[j];
+            const real t29 = t27 + t28;
+            const real t31 = t4 * t23[j] - t5[j] * t26 - t6[j] * t29 - t7 * t30[j];
+            const real t35 = t22[j] + 0.3 * (t10[j] * (t0[j] * t31 - t8 * t34[j]));
+            const real t37 = t31 - 0.5 * t8 * t36[j];
+            const real t38 = t8 * t10[j];
+            const real t39 = t35 + 0.3 * (t19[j] * t37 - t34[j] * t38) - 0.5 * t36[j] * t14;
+            const real t40 = 0.3 * (t19[j] * t20) + t21[j] * t39 + t14 * t18[j];
+            const real t41 = t13 * t1[j];
+            const real t42 = 0.3 * (t38 * t41) + 3.0 * t15;
+            const real t43 = t14 + 0.3 * (t0[j] * t38);
+            const real t44 = d_x[j] * t42 - t29 * t43;
+            const real t45 = t16 + t7 * t40 - t21[j] * t44;
+            R_x[0 * 8 + j] = R_x[21 * 8 + j] = t45; /* R_x(0,0) R_x(3,3) */
+            const real t47 = t8 * t46[j];
+            const real t49 = 0.3 * (t19[j] * t47) + t48[j] * t39 + t14 * t46[j];
+            const real t50 = t7 * t49 - t48[j] * t44;
+            R_x[1 * 8 + j] = R_x[22 * 8 + j] = t50; /* R_x(0,1) R_x(3,4) */
+            const real t51 = sin_p[j] * t5[j] + cos_p[j] * t6[j];
+            const real t58 = t34[j] * t51 - cos_p[j] * t53[j] - t27 * t54[j] - sin_p[j] * t57[j];
+            const real t59 = t51 * t52[j] + t19[j] * t58;
+            const real t60 = 0.3 * (t7 * t59);
+            const real t61 = t17[j] * t14;
+            const real t62 = 0.3 * (t19[j] * t41) + t61;
+            const real t64 = d_x[j] * t62 - 0.3 * (t29 * t63[j]);
+            const real t65 = t51 * t64;
+            const real t66 = t0[j] * t35 - t34[j] * t14;
+            const real t71 = t66 - t70[j];
+            const real t72 = t0[j] * t14;
+            const real t75 = t72 - t74[j];
+            R_x[2 * 8 + j] = t65 + cos_p[j] * t71 + t60 - t24 * t75; /* R_x(0,2) */
+            R_x[3 * 8 + j] = R_x[18 * 8 + j] = -t45; /* R_x(0,3) R_x(3,0) */
+            R_x[4 * 8 + j] = R_x[19 * 8 + j] = -t50; /* R_x(0,4) R_x(3,1) */
+            const real t76 = sin_q[j] * t5[j] + cos_q[j] * t6[j];
+            const real t78 = t34[j] * t76 - cos_q[j] * t53[j] - t28 * t54[j] - sin_q[j] * t77[j];
+            const real t79 = t76 * t52[j] + t19[j] * t78;
+            const real t80 = 0.3 * (t7 * t79);
+            const real t81 = t76 * t64;
+            const real t84 = t83[j] + t66;
+            const real t87 = t86[j] + t72;
+            R_x[5 * 8 + j] = t81 + cos_q[j] * t84 + t80 - t25 * t87; /* R_x(0,5) */
+            const real t88 = d_y[j] * t42 - t26 * t43;
+            const real t89 = t21[j] * t88 + t4 * t40;
+            R_x[9 * 8 + j] = R_x[24 * 8 + j] = t89; /* R_x(1,3) R_x(4,0) */
+            R_x[6 * 8 + j] = R_x[27 * 8 + j] = -t89; /* R_x(1,0) R_x(4,3) */
+            const real t90 = t16 - t48[j] * t88 - t4 * t49;
+            R_x[7 * 8 + j] = R_x[28 * 8 + j] = t90; /* R_x(1,1) R_x(4,4) */
+            const real t91 = d_y[j] * t62 - 0.3 * (t26 * t63[j]);
+            const real t92 = t51 * t91;
+            const real t93 = 0.3 * (t4 * t59);
+            R_x[8 * 8 + j] = t92 + sin_p[j] * t71 + t27 * t75 - t93; /* R_x(1,2) */
+            R_x[10 * 8 + j] = R_x[25 * 8 + j] = -t90; /* R_x(1,4) R_x(4,1) */
+            const real t94 = t76 * t91;
+            const real t95 = 0.3 * (t4 * t79);
+            R_x[11 * 8 + j] = t94 + sin_q[j] * t84 + t28 * t87 - t95; /* R_x(1,5) */
+            const real t96 = 0.25 * t11[j] * t20;
+            const real t97 = 0.25 * t11[j] * t37;
+            const real t98 = t97 + t51 * t43;
+            const real t99 = t96 + t21[j] * t98;
+            R_x[12 * 8 + j] = t99; /* R_x(2,0) */
+            const real t100 = 0.25 * t11[j] * t47;
+            const real t101 = t100 + t48[j] * t98;
+            R_x[13 * 8 + j] = t101; /* R_x(2,1) */
+            const real t103 = sin_p[j] * t102[j];
             const real rp_aangle = a[2 * 8 + j];
-            const real t34 = t8 * t32[j];
-            const real t35 = rp_aangle * t33 - rp_vangle * t34;
-            R_x[0 * 8 + j] = t30 - 0.05238095238095238 * t35; /* R_x(0,2) */
-            const real t36 = cos_q[j] * t32[j];
+            const real t104 = rp_aangle * t103;
+            const real t105 = t5[j] * t72;
+            const real t111 = sin_q[j] * t102[j];
             const real rq_aangle = a[5 * 8 + j];
-            const real t37 = t9 * t32[j];
-            const real t38 = rq_aangle * t36 - rq_vangle * t37;
-            const real t39 = t7[j] * t13 + sin_q[j] * t6[j] + cos_q[j] * t16[j] - t11[j] * t9;
-            const real t40 = t1[j] * t39;
-            const real t41 = t3[j] * t40;
-            const real t42 = sin_q[j] * t7[j] + cos_q[j] * t11[j];
-            const real t43 = t24[j] * t42;
-            const real t44 = cos_q[j] * t20 - 0.3 * (t15 * t41 + t14 * t43) - t9 * t29;
-            R_x[1 * 8 + j] = 0.030952380952380953 * t38 + t44; /* R_x(0,5) */
-            const real t45 = sin_p[j] * t20 + 0.3 * (t5 * t23 - t10 * t26) + t12 * t29;
-            const real t47 = t12 * t46[j] + sin_p[j] * rp_aangle * t32[j];
-            R_x[2 * 8 + j] = t45 - 0.05238095238095238 * t47; /* R_x(1,2) */
-            const real t49 = t13 * t48[j] + sin_q[j] * rq_aangle * t32[j];
-            const real t50 = sin_q[j] * t20 + 0.3 * (t5 * t41 - t10 * t43) + t13 * t29;
-            R_x[3 * 8 + j] = 0.030952380952380953 * t49 + t50; /* R_x(1,5) */
-            const real t56 = sin_q[j] * t55[j];
-            const real t57 = t11[j] * t29;
-            const real t58 = 0.3 * (t7[j] * t26);
-            const real t59 = t53[j] - 0.007142857142857143 * (t54[j] * t56) - t57 - t58;
-            const real t61 = sin_p[j] * t9;
-            const real t62 = cos_q[j] * t12 - t61;
-            const real t64 = sin_p[j] * cos_q[j];
-            const real t65 = t13 * t55[j];
-            const real t66 = cos_p[j] * t65 - t8 * t56;
-            const real t67 = cos_p[j] * t56;
-            const real t68 = t60[j] * t62 + t63[j] * t64 - rq_vangle * t66 - rq_aangle * t67;
-            const real t71 = t7[j] * t29;
-            const real t74 = t70[j] + t71 + t72[j] - 0.007142857142857143 * (cos_q[j] * t73[j]);
-            const real t75 = 0.3 * (t11[j] * t26);
-            const real t76 = 0.007142857142857143 * t68 + cos_p[j] * (t74 - t75) + sin_p[j] * t59;
-            const real q_vy = v[4 * 8 + j];
-            const real q_ay = a[4 * 8 + j];
-            const real p_vy = v[1 * 8 + j];
-            const real p_ay = a[1 * 8 + j];
-            const real t77 = 0.030952380952380953 * (q_vy * t12 + sin_p[j] * q_ay) + 0.05238095238095238 * (p_vy * t12
-                + sin_p[j] * p_ay);
-            const real t78 = 0.25 * t18[j] * t22;
-            const real q_ax = a[3 * 8 + j];
-            const real q_vx = v[3 * 8 + j];
-            const real t79 = t76 - t32[j] * t77 - t78 - 0.030952380952380953 * (q_ax * t33 - q_vx * t34);
-            const real p_ax = a[0 * 8 + j];
-            const real p_vx = v[0 * 8 + j];
-            R_x[4 * 8 + j] = t79 - 0.05238095238095238 * (p_ax * t33 - p_vx * t34); /* R_x(2,2) */
-            const real t80 = cos_p[j] * t13 - sin_q[j] * t8;
-            const real t81 = cos_p[j] * sin_q[j];
-            const real t82 = cos_q[j] * t55[j];
-            const real t83 = t12 * t82 - t55[j] * t61;
-            const real t84 = sin_p[j] * t82;
-            const real t85 = t60[j] * t80 + t63[j] * t81 - rq_vangle * t83 - rq_aangle * t84;
-            const real t86 = 0.3 * (t7[j] * t43);
-            const real t87 = sin_p[j] * (0.007142857142857143 * (sin_q[j] * t73[j]) - t86);
-            const real t88 = 0.25 * t18[j] * t40;
-            const real t89 = 0.3 * (t11[j] * t43);
-            R_x[5 * 8 + j] = 0.007142857142857143 * t85 + t87 - t88 - cos_p[j] * (t89 - 0.007142857142857143 * (t54[j]
-                * t82)); /* R_x(2,5) */
-            R_x[6 * 8 + j] = -(0.030952380952380953 * t35 + t30); /* R_x(3,2) */
-            R_x[7 * 8 + j] = 0.05238095238095238 * t38 - t44; /* R_x(3,5) */
-            R_x[8 * 8 + j] = -(0.030952380952380953 * t47 + t45); /* R_x(4,2) */
-            R_x[9 * 8 + j] = 0.05238095238095238 * t49 - t50; /* R_x(4,5) */
-            const real t90 = t55[j] * (rp_vangle * t62 + rp_aangle * t64) - rp_vangle * t66;
-            const real t91 = sin_q[j] * (0.007142857142857143 * (sin_p[j] * t73[j]) - t58);
-            const real t92 = 0.007142857142857143 * (t90 - rp_aangle * t67) + t91 - t78;
-            const real t93 = t75 - 0.007142857142857143 * (cos_p[j] * t54[j] * t55[j]);
-            R_x[10 * 8 + j] = t92 - cos_q[j] * t93; /* R_x(5,2) */
-            const real t96 = t95[j] - 0.007142857142857143 * (sin_p[j] * t54[j] * t55[j]);
-            const real t99 = t71 - t98[j] - 0.007142857142857143 * (cos_p[j] * t73[j]);
-            const real t100 = t55[j] * (rp_vangle * t80 + rp_aangle * t81) - rp_vangle * t83;
-            const real t101 = 0.05238095238095238 * (q_vy * t13 + sin_q[j] * q_ay) + 0.030952380952380953 * (p_vy
-                * t13 + sin_q[j] * p_ay);
-            const real t102 = 0.05238095238095238 * (q_ax * t36 - q_vx * t37) + 0.030952380952380953 * (p_ax * t36
-                - p_vx * t37);
-            const real t103 = t32[j] * t101 + t102 + 0.007142857142857143 * (t100 - rp_aangle * t84);
-            const real t104 = cos_q[j] * (t99 - t89 - t72[j]) + t103 + sin_q[j] * (t96 - t57 - t86 - t51[j]);
-            R_x[11 * 8 + j] = t104 - t88; /* R_x(5,5) */
-            const real t105 = t15 * t24[j];
-            const real t106 = 0.6 * (t14 * t105);
-            R_v[0 * 8 + j] = R_v[21 * 8 + j] = t106; /* R_v(0,0) R_v(3,3) */
-            const real t107 = t5 * t24[j];
-            const real t108 = 0.3 * (t10 * t105 - t14 * t107);
-            R_v[1 * 8 + j] = R_v[6 * 8 + j] = R_v[22 * 8 + j] = R_v[27 * 8 + j] = t108;
-                /* R_v(0,1) R_v(1,0) R_v(3,4) R_v(4,3) */
-            const real t110 = 0.25 * t14 * t109[j];
-            const real t112 = t29 - t111[j];
-            const real t113 = cos_p[j] * t112;
-            const real t114 = t12 * t32[j];
-            const real t115 = 0.05238095238095238 * t114;
-            const real t116 = 0.3 * (t105 * t25);
-            R_v[2 * 8 + j] = t110 + t113 - t115 - t116; /* R_v(0,2) */
-            R_v[3 * 8 + j] = R_v[18 * 8 + j] = -t106; /* R_v(0,3) R_v(3,0) */
-            R_v[4 * 8 + j] = R_v[9 * 8 + j] = R_v[19 * 8 + j] = R_v[24 * 8 + j] = -t108;
-                /* R_v(0,4) R_v(1,3) R_v(3,1) R_v(4,0) */
-            const real t118 = t117[j] + t29;
-            const real t119 = cos_q[j] * t118;
-            const real t120 = t13 * t32[j];
-            const real t121 = 0.030952380952380953 * t120 + t110;
-            const real t122 = 0.3 * (t105 * t42);
-            R_v[5 * 8 + j] = t119 + t121 - t122; /* R_v(0,5) */
-            const real t123 = 0.6 * (t10 * t107);
-            R_v[10 * 8 + j] = R_v[25 * 8 + j] = t123; /* R_v(1,4) R_v(4,1) */
-            R_v[7 * 8 + j] = R_v[28 * 8 + j] = -t123; /* R_v(1,1) R_v(4,4) */
-            const real t124 = 0.3 * (t107 * t25);
-            const real t125 = 0.25 * t10 * t109[j];
-            const real t126 = sin_p[j] * t112;
-            const real t127 = 0.05238095238095238 * t34;
-            R_v[8 * 8 + j] = t125 + t126 + t124 - t127; /* R_v(1,2) */
-            const real t128 = 0.3 * (t107 * t42);
-            const real t129 = 0.030952380952380953 * t37;
-            const real t130 = sin_q[j] * t118;
-            R_v[11 * 8 + j] = t129 + t130 + t125 + t128; /* R_v(1,5) */
-            R_v[12 * 8 + j] = t110 + t116 - t115 - t113; /* R_v(2,0) */
-            R_v[13 * 8 + j] = t125 - t127 - t126 - t124; /* R_v(2,1) */
-            const real t133 = 0.01904761904761905 * (cos_p[j] * t132[j] - t12 * t55[j]);
-            const real t138 = 0.01904761904761905 * (t55[j] * (sin_p[j] * t12 - cos_p[j] * t8));
-            const real t143 = sin_p[j] * t55[j];
-            const real t144 = 0.01904761904761905 * (rp_vangle * t143 - sin_p[j] * t132[j]);
-            R_v[14 * 8 + j] = t138 + cos_p[j] * (t142[j] + t144 + t140[j] - t52[j]) + sin_p[j] * (t131[j] + t133
-                - t135[j] - t137[j]); /* R_v(2,2) */
-            const real t146 = t145[j] + t29;
-            const real t147 = cos_p[j] * t146;
-            const real t148 = 0.030952380952380953 * t114;
-            R_v[15 * 8 + j] = t147 - t148 - t116 - t110; /* R_v(2,3) */
-            const real t149 = sin_p[j] * t146 + t124;
-            const real t150 = 0.030952380952380953 * t34;
-            R_v[16 * 8 + j] = t149 - t150 - t125; /* R_v(2,4) */
-            const real t151 = t12 * t56;
-            const real t152 = t55[j] * (cos_q[j] * t8 + cos_p[j] * t9) - t151 - sin_p[j] * t65;
-            const real t153 = 0.007142857142857143 * t152;
-            const real t154 = 0.007142857142857143 * (t60[j] * t81);
-            const real t155 = 0.007142857142857143 * t151;
-            const real t156 = 0.25 * t109[j] * t25;
-            const real t157 = 0.007142857142857143 * (t13 * t143);
-            const real t158 = 0.007142857142857143 * (t132[j] * t64);
-            const real t159 = 0.25 * t109[j] * t42;
-            R_v[17 * 8 + j] = t155 + t156 + t154 + t153 - t157 - t158 - t159; /* R_v(2,5) */
-            R_v[20 * 8 + j] = t116 - t110 - t148 - t147; /* R_v(3,2) */
-            const real t160 = 0.05238095238095238 * t120;
-            const real t162 = t161[j] - t29;
-            const real t163 = cos_q[j] * t162;
-            R_v[23 * 8 + j] = t160 + t163 + t122 - t110; /* R_v(3,5) */
-            R_v[26 * 8 + j] = -(t150 + t149 + t125); /* R_v(4,2) */
-            const real t164 = 0.05238095238095238 * t37;
-            const real t165 = sin_q[j] * t162;
-            R_v[29 * 8 + j] = t164 + t165 - t125 - t128; /* R_v(4,5) */
-            R_v[30 * 8 + j] = t122 + t121 - t119; /* R_v(5,0) */
-            R_v[31 * 8 + j] = t129 + t125 - t130 - t128; /* R_v(5,1) */
-            R_v[32 * 8 + j] = t157 + t159 + t153 + t158 - t155 - t154 - t156; /* R_v(5,2) */
-            R_v[33 * 8 + j] = t160 - t163 - t122 - t110; /* R_v(5,3) */
-            R_v[34 * 8 + j] = t164 + t128 - t165 - t125; /* R_v(5,4) */
-            const real t168 = 0.01904761904761905 * (cos_q[j] * t60[j] - rq_vangle * t82);
-            const real t170 = 0.01904761904761905 * (t55[j] * (sin_q[j] * t13 - cos_q[j] * t9));
-            const real t171 = 0.01904761904761905 * (rq_vangle * t56 - sin_q[j] * t60[j]);
-            R_v[35 * 8 + j] = t170 + cos_q[j] * (t94[j] + t171 - t172[j] - t173[j]) + sin_q[j] * (t167[j] + t168
-                + t166[j] - t169[j]); /* R_v(5,5) */
+            const real t112 = rq_aangle * t111;
+            const real t113 = t105 + t108[j] + 0.01904761904761905 * t104 - 0.007142857142857143 * (cos_q[j] * t110[j]
+                + t112);
+            const real t115 = t27 * t102[j];
+            const real t116 = cos_p[j] * t102[j];
+            const real t117 = 0.01904761904761905 * (rp_vangle * (cos_p[j] * t115 - t27 * t116));
+            const real t118 = 0.25 * t11[j] * t58;
+            const real t119 = cos_q[j] * t27;
+            const real t120 = t28 * t102[j];
+            const real t121 = cos_p[j] * t120;
+            const real t122 = 0.007142857142857143 * (t109[j] * t119 - rq_vangle * t121);
+            const real t126 = t118 + t122 + t117 + cos_p[j] * (t113 - t114[j]) - t27 * t125[j];
+            const real t127 = t6[j] * t72;
+            const real t134 = rp_vangle * t111;
+            const real t135 = t132[j] * t111 + t25 * t109[j] - cos_q[j] * t133[j] - rq_vangle * t134;
+            const real t136 = rp_vangle * t103;
+            const real t137 = 0.01904761904761905 * (rp_aangle * t116 + rp_vangle * (t136 - t24 * t102[j]));
+            const real t138 = 0.007142857142857143 * t135 + t137 + t131[j] + t129[j] + t127;
+            const real t140 = t51 * t63[j];
+            R_x[14 * 8 + j] = t126 - sin_p[j] * (t138 - t139[j]) - 0.3 * (t51 * t140); /* R_x(2,2) */
+            R_x[15 * 8 + j] = -t99; /* R_x(2,3) */
+            R_x[16 * 8 + j] = -t101; /* R_x(2,4) */
+            const real t141 = 0.25 * t11[j] * t78;
+            const real t142 = cos_p[j] * t28;
+            const real t144 = t109[j] * t142 + cos_q[j] * (cos_p[j] * t143[j] - rq_aangle * t103);
+            const real t145 = cos_q[j] * t115;
+            const real t146 = rq_vangle * t103;
+            const real t147 = t24 * t109[j] - sin_p[j] * t110[j] - cos_p[j] * t133[j] - rq_vangle * t146;
+            const real t148 = 0.007142857142857143 * (t144 - rq_vangle * t145 - sin_q[j] * t147);
+            R_x[17 * 8 + j] = t141 + t148 - 0.3 * (t76 * t140); /* R_x(2,5) */
+            const real t150 = t149[j] + t72;
+            const real t152 = t151[j] + t66;
+            R_x[20 * 8 + j] = t24 * t150 - cos_p[j] * t152 - t65 - t60; /* R_x(3,2) */
+            const real t154 = t153[j] - t66;
+            const real t156 = t155[j] - t72;
+            R_x[23 * 8 + j] = cos_q[j] * t154 - t25 * t156 - t81 - t80; /* R_x(3,5) */
+            R_x[26 * 8 + j] = t93 - t27 * t150 - sin_p[j] * t152 - t92; /* R_x(4,2) */
+            R_x[29 * 8 + j] = t95 + sin_q[j] * t154 + t28 * t156 - t94; /* R_x(4,5) */
+            const real t157 = t97 + t76 * t43;
+            const real t158 = t96 + t21[j] * t157;
+            R_x[30 * 8 + j] = t158; /* R_x(5,0) */
+            const real t159 = t100 + t48[j] * t157;
+            R_x[31 * 8 + j] = t159; /* R_x(5,1) */
+            const real t161 = t160[j] * t119 + cos_p[j] * (cos_q[j] * t143[j] - rp_aangle * t111);
+            const real t163 = t25 * t160[j] - sin_q[j] * t110[j] - cos_q[j] * t162[j] - rp_vangle * t134;
+            const real t164 = 0.007142857142857143 * (t161 - rp_vangle * t121 - sin_p[j] * t163);
+            const real t165 = t76 * t63[j];
+            R_x[32 * 8 + j] = t118 + t164 - 0.3 * (t51 * t165); /* R_x(5,2) */
+            R_x[33 * 8 + j] = -t158; /* R_x(5,3) */
+            R_x[34 * 8 + j] = -t159; /* R_x(5,4) */
+            const real t166 = cos_q[j] * t102[j];
+            const real t167 = 0.01904761904761905 * (rq_vangle * (cos_q[j] * t120 - t28 * t166));
+            const real t169 = 0.007142857142857143 * (t160[j] * t142 - rp_vangle * t145);
+            const real t171 = t105 + t170[j] + 0.01904761904761905 * t112 - 0.007142857142857143 * (cos_p[j] * t110[j]
+                + t104);
+            const real t174 = t141 + t169 + cos_q[j] * (t171 - t173[j] - t107[j]) + t28 * t168[j];
+            const real t175 = sin_p[j] * t132[j] * t102[j] + t24 * t160[j] - cos_p[j] * t162[j];
+            const real t176 = rq_vangle * t111;
+            const real t177 = 0.01904761904761905 * (rq_aangle * t166 + rq_vangle * (t176 - t25 * t102[j]));
+            const real t178 = 0.007142857142857143 * (t175 - rp_vangle * t146) + t177 + t139[j];
+            const real t181 = t167 + t174 - sin_q[j] * (t127 + t178 - t179[j] - t180[j]);
+            R_x[35 * 8 + j] = t181 - 0.3 * (t76 * t165); /* R_x(5,5) */
+            const real t182 = t7 * t19[j];
+            const real t183 = t8 * t17[j];
+            const real t184 = d_x[j] * t183;
+            const real t185 = t7 * t34[j];
+            const real t186 = t0[j] * t29;
+            const real t187 = t184 + t185 - t186;
+            const real t188 = d_x[j] * t61;
+            const real t189 = t185 - t186 - t184;
+            const real t190 = 0.3 * (t19[j] * t189) - t188;
+            const real t191 = 0.3 * (t182 * t187) + t7 * (t188 + t190);
+            R_v[3 * 8 + j] = R_v[18 * 8 + j] = t191; /* R_v(0,3) R_v(3,0) */
+            R_v[0 * 8 + j] = R_v[21 * 8 + j] = -t191; /* R_v(0,0) R_v(3,3) */
+            const real t192 = t4 * t19[j];
+            const real t193 = d_y[j] * t61;
+            const real t194 = t0[j] * t26;
+            const real t195 = d_y[j] * t183;
+            const real t196 = t4 * t34[j];
+            const real t197 = t194 + t195 + t196;
+            const real t198 = t193 + 0.3 * (t19[j] * t197);
+            const real t199 = 0.3 * (t192 * t187) + t7 * t198 + t4 * t188;
+            R_v[1 * 8 + j] = R_v[22 * 8 + j] = t199; /* R_v(0,1) R_v(3,4) */
+            const real t200 = cos_p[j] * t75;
+            const real t201 = t27 * t68[j];
+            const real t202 = 0.05238095238095238 * t201;
+            const real t203 = t0[j] * t51;
+            const real t204 = t19[j] * t203;
+            const real t205 = 0.3 * (t7 * t204);
+            const real t206 = 0.25 * t11[j] * t187;
+            R_v[2 * 8 + j] = t200 - t202 - t205 - t206; /* R_v(0,2) */
+            R_v[4 * 8 + j] = R_v[19 * 8 + j] = -t199; /* R_v(0,4) R_v(3,1) */
+            const real t207 = t28 * t68[j];
+            const real t208 = 0.030952380952380953 * t207;
+            const real t209 = cos_q[j] * t87;
+            const real t210 = t0[j] * t76;
+            const real t211 = t19[j] * t210;
+            const real t212 = 0.3 * (t7 * t211);
+            R_v[5 * 8 + j] = t208 + t209 - t212 - t206; /* R_v(0,5) */
+            const real t213 = t195 - t194 - t196;
+            const real t214 = t4 * t190 - t7 * t193 - 0.3 * (t182 * t213);
+            R_v[6 * 8 + j] = R_v[27 * 8 + j] = t214; /* R_v(1,0) R_v(4,3) */
+            const real t215 = 0.3 * (t192 * t213) + t4 * (t193 - t198);
+            R_v[7 * 8 + j] = R_v[28 * 8 + j] = t215; /* R_v(1,1) R_v(4,4) */
+            const real t216 = 0.3 * (t4 * t204);
+            const real t217 = sin_p[j] * t75;
+            const real t218 = t24 * t68[j];
+            const real t219 = 0.05238095238095238 * t218;
+            const real t220 = 0.25 * t11[j] * t213;
+            R_v[8 * 8 + j] = t216 + t217 - t219 - t220; /* R_v(1,2) */
+            R_v[9 * 8 + j] = R_v[24 * 8 + j] = -t214; /* R_v(1,3) R_v(4,0) */
+            R_v[10 * 8 + j] = R_v[25 * 8 + j] = -t215; /* R_v(1,4) R_v(4,1) */
+            const real t221 = 0.3 * (t4 * t211);
+            const real t222 = t25 * t68[j];
+            const real t223 = 0.030952380952380953 * t222;
+            const real t224 = sin_q[j] * t87;
+            R_v[11 * 8 + j] = t223 + t224 + t221 - t220; /* R_v(1,5) */
+            const real t225 = cos_p[j] * t56[j] + sin_p[j] * t54[j];
+            const real t226 = 0.3 * (t225 * t182);
+            const real t227 = 0.25 * t11[j] * t189;
+            R_v[12 * 8 + j] = t226 - t202 - t200 - t227; /* R_v(2,0) */
+            const real t228 = 0.25 * t11[j] * t197;
+            const real t229 = 0.3 * (t225 * t192);
+            R_v[13 * 8 + j] = t228 - t219 - t217 - t229; /* R_v(2,1) */
+            const real t230 = 0.25 * t11[j] * t225;
+            const real t231 = 0.01904761904761905 * (t102[j] * (sin_p[j] * t27 - cos_p[j] * t24));
+            const real t233 = 0.01904761904761905 * (cos_p[j] * t160[j] - rp_vangle * t116);
+            const real t237 = sin_p[j] * t160[j];
+            const real t239 = cos_p[j] * (t236[j] + 0.01904761904761905 * (t136 - t237) - t238[j]);
+            const real t240 = sin_p[j] * (t232[j] + t233 - t125[j]) + t239 + t231 + t230;
+            const real t241 = 0.25 * t11[j] * t203;
+            R_v[14 * 8 + j] = t240 - t241; /* R_v(2,2) */
+            const real t242 = cos_p[j] * t150;
+            const real t243 = 0.030952380952380953 * t201;
+            R_v[15 * 8 + j] = t227 + t242 - t243 - t226; /* R_v(2,3) */
+            const real t244 = sin_p[j] * t150;
+            const real t245 = 0.030952380952380953 * t218;
+            R_v[16 * 8 + j] = t229 + t244 - t245 - t228; /* R_v(2,4) */
+            const real t246 = 0.007142857142857143 * (cos_p[j] * t134);
+            const real t247 = 0.007142857142857143 * (cos_p[j] * sin_q[j] * t109[j]);
+            const real t248 = t102[j] * (cos_q[j] * t24 + cos_p[j] * t25) - t27 * t111 - sin_p[j] * t120;
+            const real t249 = 0.007142857142857143 * t248;
+            const real t250 = 0.007142857142857143 * (cos_q[j] * t146);
+            const real t251 = 0.007142857142857143 * (cos_q[j] * t237);
+            const real t252 = 0.25 * t11[j] * t210;
+            R_v[17 * 8 + j] = t247 + t249 + t246 + t230 - t250 - t251 - t252; /* R_v(2,5) */
+            R_v[20 * 8 + j] = t205 + t206 - t243 - t242; /* R_v(3,2) */
+            const real t253 = 0.05238095238095238 * t207;
+            const real t254 = cos_q[j] * t156;
+            R_v[23 * 8 + j] = t253 + t254 + t212 + t206; /* R_v(3,5) */
+            R_v[26 * 8 + j] = t220 - t245 - t244 - t216; /* R_v(4,2) */
+            const real t255 = 0.05238095238095238 * t222;
+            const real t256 = sin_q[j] * t156;
+            R_v[29 * 8 + j] = t255 + t256 + t220 - t221; /* R_v(4,5) */
+            const real t257 = cos_q[j] * t56[j] + sin_q[j] * t54[j];
+            const real t258 = 0.3 * (t257 * t182);
+            R_v[30 * 8 + j] = t208 + t258 - t209 - t227; /* R_v(5,0) */
+            const real t259 = 0.3 * (t257 * t192);
+            R_v[31 * 8 + j] = t223 + t228 - t224 - t259; /* R_v(5,1) */
+            const real t260 = 0.25 * t11[j] * t257;
+            R_v[32 * 8 + j] = t249 + t251 + t250 + t260 - t246 - t247 - t241; /* R_v(5,2) */
+            R_v[33 * 8 + j] = t253 + t227 - t254 - t258; /* R_v(5,3) */
+            R_v[34 * 8 + j] = t255 + t259 - t256 - t228; /* R_v(5,4) */
+            const real t261 = 0.01904761904761905 * (t102[j] * (sin_q[j] * t28 - cos_q[j] * t25));
+            const real t263 = t262[j] + 0.01904761904761905 * (t176 - sin_q[j] * t109[j]);
+            const real t266 = 0.01904761904761905 * (cos_q[j] * t109[j] - rq_vangle * t166);
+            const real t268 = cos_q[j] * (t263 - t264[j] - t265[j]) + sin_q[j] * (t168[j] + t266 - t267[j]);
+            R_v[35 * 8 + j] = t261 + t268 + t260 - t252; /* R_v(5,5) */
         }
     }
 }
 
 const flexel_element flexel_planar_beam_first_order = {
     .name = "planar_beam_first_order",
-    .digest = "fe1610ecc31c49af",
+    .digest = "98080376203386d5",
     .n = 6,
     .m = 3,
     .k = 0,

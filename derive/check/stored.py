@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from flexel.derive.declare import TIME, Law
 
 TOLERANCE = 1e-9  # of the difference, relative to stress and slope
+ROUNDING = 1e-25  # of the difference, relative to the largest number of the law, where a stress is zero
 POINTS = 4
 DIGITS, STEP = 50, sp.Float(10, 50) ** -15  # of the difference quotient of the energy
 
@@ -23,15 +24,24 @@ def check_stored(law: Law, data: Mapping[str, NDArray[np.float64]]) -> None:
     depends = {z for expr in (*law.sigma, *(expr for _, expr in law.let)) for z in expr.free_symbols}
     if len(law.e) != 1 or law.states or law.energy == 0 or TIME in depends:
         return
+    largest = _largest_number(law)
     for i in range(POINTS):
         parameters = dict(zip(law.parameter_symbols, data["p"][i], strict=True))
+        floor = ROUNDING * max([largest, *(abs(value) for value in parameters.values())])
         near, far = (_sides(law, parameters, float(data["e"][j, 0])) for j in (i, i + POINTS))
         off = (near[0] - near[1]) - (far[0] - far[1])
-        if abs(off) > TOLERANCE * max(abs(z) for z in (*near, *far)):  # false for NaN: outside the domain
+        allowed = max(floor, *(TOLERANCE * abs(value) for value in (*near, *far)))
+        if abs(off) > allowed:  # false for NaN: outside the domain
             raise ValueError(
                 f"law '{law.name}': the derivative of the energy {law.energy} is not the stress at rest, of "
                 f"{law.sigma[0]}; correct one of them, or leave the energy out"
             )
+
+
+def _largest_number(law: Law) -> float:
+    """The largest number in the stress and the energy, at least 1: the size of the terms that may cancel."""
+    numbers = law.sigma[0].atoms(sp.Number) | law.energy.atoms(sp.Number)
+    return max([1.0, *(abs(float(number)) for number in numbers if number.is_finite)])
 
 
 def _sides(law: Law, parameters: Mapping[sp.Symbol, float], at: float) -> tuple[complex, complex]:

@@ -49,7 +49,7 @@ def rotary_energy(shear: Expr, chord: Expr, wp: Expr, wq: Expr) -> Expr:
     shear : Expr
         Shear number P of the plane of bending.
     chord : Expr
-        Angular velocity of the chord about the axis.
+        Angular velocity of the chord about the axis, so with the present distance of the ends.
     wp, wq : Expr
         Angular velocities of the ends about the axis.
     """

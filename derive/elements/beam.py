@@ -7,6 +7,7 @@ from sympy import Expr, Matrix, Rational
 from flexel.derive.declare import Deformation, Element, Frame, Let, Node, Point
 from flexel.derive.declare.rotation import HALF, body_angular_velocity, dot, norm, product, triad_rate
 from flexel.derive.declare.shape import hermite_energy, hermite_mean, rotary_energy
+from flexel.derive.declare.symbols import symbol
 from flexel.derive.elements.parameters import GRAVITY, L0, PHI_Y, PHI_Z, RHOA, RHOJ, TP, TQ
 from flexel.derive.elements.triads import Triad, named_quaternion, named_triad
 
@@ -28,11 +29,14 @@ T: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary
 U = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)"""
 
 
+LENGTH = symbol("l")  # distance of the ends, named by `first_order`
+
+
 def first_order(let: Let, p: Node, q: Node, tp: Triad, tq: Triad) -> list[Expr]:
     """The six deformations without second-order terms, named b1 ... b6."""
     l0 = L0.symbol
     d = let.vector("d", q.x - p.x)
-    length = let.scalar("l", norm(d))
+    length = let.scalar(LENGTH.name, norm(d))
     el = let.vector("el", d / length)
     b = (
         length - l0,
@@ -80,7 +84,7 @@ def kinetic_energy(
     wq = let.vector("w_q", body_angular_velocity(us[1], uds[1]))
     exd_p = let.vector("exd_p", triad_rate(us[0], uds[0])[0])
     exd_q = let.vector("exd_q", triad_rate(us[1], uds[1])[0])
-    chord = let.vector("chord", (q.v - p.v) / l0)
+    chord = let.vector("chord", (q.v - p.v) / LENGTH)
     about_z = HALF * dot(chord, tp[1] + tq[1])
     about_y = -HALF * dot(chord, tp[2] + tq[2])
     _, jy, jz = RHOJ.symbols

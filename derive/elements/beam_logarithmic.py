@@ -6,7 +6,7 @@ from flexel.derive.declare import Deformation, Element, Frame, Let, Node, Point
 from flexel.derive.declare.logarithm import rotation_vector, turned_back
 from flexel.derive.declare.rotation import HALF, components, conjugate, cross, dot, norm, product
 from flexel.derive.declare.shape import hermite_mean
-from flexel.derive.elements.beam import kinetic_energy
+from flexel.derive.elements.beam import LENGTH, kinetic_energy
 from flexel.derive.elements.parameters import GRAVITY, L0, PHI_Y, PHI_Z, RHOA, RHOJ, TP, TQ
 from flexel.derive.elements.rod import bow_stretch, shortening
 from flexel.derive.elements.triads import Triad, named_quaternion, named_triad
@@ -37,11 +37,12 @@ def _deformations(let: Let, p: Node, q: Node, us: tuple[Matrix, Matrix], tp: Tri
     l0, shear_y, shear_z = L0.symbol, PHI_Y.symbol, PHI_Z.symbol
     turn, half, square = rotation_vector(let, let.vector("r", product(conjugate(us[0]), us[1])))
     chord = let.vector("d", q.x - p.x)
+    let.scalar(LENGTH.name, norm(chord))  # of the kinetic energy
     d = turned_back(half, square, let.vector("dp", components(tp, chord)))
     s = let.scalar("shortening", l0 * shortening(let.scalar("turn_2", dot(turn, turn))))
     x, y, z = turn
     straight = let.vector("straight", d + s * Matrix([y**2 + z**2, -x * y, -x * z]))
-    length = let.scalar("l", norm(straight))
+    length = let.scalar("straight_l", norm(straight))
     bow_z = let.scalar("bow_z", straight[1] / (shear_y * l0 + length))
     bow_y = let.scalar("bow_y", -straight[2] / (shear_z * l0 + length))
     bent = let.vector("bent", turn + cross(turn, Matrix([0, bow_y, bow_z])))

@@ -22,12 +22,22 @@ T: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary
 U = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)"""
 
 
-def planar_kinetic_energy(let: Let, nodes: tuple[Node, ...], across: tuple[Matrix, Matrix]) -> Expr:
-    """Kinetic energy of the cubic axis and of the sections' rotation; `across` are the directions ey at the ends."""
+def planar_kinetic_energy(
+    let: Let, nodes: tuple[Node, ...], across: tuple[Matrix, Matrix], length: Expr
+) -> Expr:
+    """Kinetic energy of the cubic axis and of the sections' rotation.
+
+    Parameters
+    ----------
+    across : tuple of Matrix (2, 1)
+        Directions ey of the element at the ends.
+    length : Expr
+        Present length.
+    """
     p, rp, q, rq = nodes
     l0 = L0.symbol
     wp, wq = rp.v[0], rq.v[0]
-    chord = let.scalar("chord", HALF * dot(q.v - p.v, across[0] + across[1]) / l0)
+    chord = let.scalar("chord", HALF * dot(q.v - p.v, across[0] + across[1]) / length)
     columns: tuple[Matrix, ...] = (p.v, l0 * wp * across[0], q.v, l0 * wq * across[1])
     translation = RHOA.symbol * hermite_energy(columns)
     rotation = PLANAR_RHOJ.symbol * rotary_energy(PLANAR_PHI.symbol, chord, wp, wq)
@@ -47,7 +57,7 @@ def _planar_beam(name: str, second: bool) -> Element:
     elongation = length - l0
     if second:
         elongation += (2 * b5**2 + b5 * b6 + 2 * b6**2) / (30 * l0)
-    energy = planar_kinetic_energy(let, (p, rp, q, rq), (ey_p, ey_q))
+    energy = planar_kinetic_energy(let, (p, rp, q, rq), (ey_p, ey_q), length)
     centre = hermite_mean(p.x, l0 * ex_p, q.x, l0 * ex_q)
     return Element(
         name=name,

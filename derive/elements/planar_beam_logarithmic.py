@@ -44,7 +44,7 @@ def _planar_beam_logarithmic() -> Element:
     straight = let.vector("straight", [along, dot(Matrix([-s, c]), d)])
     bow = let.scalar("bow", straight[1] / (shear * l0 + norm(straight)))
     elongation = straight[0] - l0 + l0 * bow_stretch(shear, bow)
-    energy = planar_kinetic_energy(let, nodes, (directions[0][1], directions[1][1]))
+    energy = planar_kinetic_energy(let, nodes, (directions[0][1], directions[1][1]), let.scalar("l", norm(d)))
     centre = hermite_mean(p.x, l0 * directions[0][0], q.x, l0 * directions[1][0])
     return Element(
         name="planar_beam_logarithmic",

@@ -99,7 +99,10 @@ def _within(rng: np.random.Generator, values: Array, low: Array, high: Array) ->
 
 
 def check_ranges(declared: Element | Law, ranges: Ranges) -> None:
-    """Raise ValueError for a range of something unknown, or one that is not two increasing numbers."""
+    """Raise ValueError for a range of something unknown, or one that is not two increasing numbers.
+
+    The two numbers of a parameter may be equal.
+    """
     if isinstance(declared, Law):
         symbols = [*declared.e, *declared.ed, *declared.s, *declared.z, TIME, *declared.parameter_symbols]
     else:
@@ -112,7 +115,8 @@ def check_ranges(declared: Element | Law, ranges: Ranges) -> None:
             low, high = (float(z) for z in limits)
         except (TypeError, ValueError):
             low = high = np.nan
-        if not -np.inf < low < high < np.inf:
+        fixed = low == high and name not in [s.name for s in symbols if s not in declared.parameter_symbols]
+        if not (-np.inf < low < high < np.inf or (fixed and np.isfinite(low))):
             raise ValueError(f"'{declared.name}': the range {limits} of '{name}' is not (lowest, highest)")
 
 

@@ -1,18 +1,23 @@
 """Laws given by formulas: compiled with exact tangents, and verified as `flexel.compile_law` does.
 
 The derivation (SymPy, flexel.derive) is imported only when a formula is given; the results are cached by
-content, so that a formula is derived, compiled and verified once.
+content, so that a formula is derived and verified once, and compiled once with all that differ in numbers only.
 """
 
 from __future__ import annotations
 
 import inspect
-from collections.abc import Callable
+import warnings
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from flexel.base.errors import CompilerError, ModelError
+from flexel.base.arrays import Array
+from flexel.base.callers import outside
+from flexel.base.errors import CompilerError, ModelError, ModelWarning
+from flexel.derive.spec import FORMULA_NUMBERS
 
 # Half widths of the ranges over which a formula is examined, in the order of trial.
 WIDTHS = (1.0, 0.1, 0.01, 10.0, 100.0)
@@ -21,7 +26,28 @@ FEWEST = 20  # minimum number of neighbouring places where it is real and finite
 RATES = (-1.3, 0.7)
 
 
-def formula_law(owner: str, stress: Any, energy: Callable[..., Any] | None = None) -> Any:
+@dataclass(frozen=True)
+class Formula:
+    """A compiled formula.
+
+    Attributes
+    ----------
+    law : CompiledLaw
+        Shared by all formulas that differ in their numbers only.
+    parameters : dict of str to Array
+        The numbers of this one.
+    """
+
+    law: Any
+    parameters: dict[str, Array]
+
+
+def formula_law(
+    owner: str,
+    stress: Any,
+    energy: Callable[..., Any] | None = None,
+    ranges: Mapping[str, tuple[float, float]] | None = None,
+) -> Formula:
     """Compile and verify σ = stress(e, ė) on one deformation.
 
     Parameters
@@ -30,11 +56,14 @@ def formula_law(owner: str, stress: Any, energy: Callable[..., Any] | None = Non
         For messages, such as ``law on 'strut.elongation'``.
     stress : callable(e) or callable(e, ed) -> sympy expression
     energy : callable(e) -> sympy expression, optional
+        By default the integral from zero: in closed form, or by Gauss's rule over the range of e, or none, with a
+        warning.
+    ranges : mapping of str to (float, float), optional
+        Where ``e`` and ``ed`` lie; the law is verified there.
 
     Returns
     -------
-    flexel.derive.compile.CompiledLaw
-        Specification and kernels.
+    Formula
 
     Raises
     ------
@@ -44,30 +73,22 @@ def formula_law(owner: str, stress: Any, energy: Callable[..., Any] | None = Non
     CompilerError
         If there is no C compiler.
     """
-    import sympy
-
-    from flexel.derive import Law, symbol
+    from flexel.derive import symbol
     from flexel.derive.cache import CacheError
     from flexel.derive.check.joins import check_law_joins
     from flexel.derive.shared_object import CompilationError, CompilerMissingError
 
     e, ed = symbol("e"), symbol("ed")
     sigma = _formula(owner, "stress", of_both(stress), e, ed)
+    limits = _limits(owner, sigma, ranges)
     try:
         check_law_joins(owner, sigma)
     except ValueError as error:
         raise ModelError(str(error)) from error
-    if energy is None:
-        stored = sympy.integrate(sigma.subs(ed, 0), (e, 0, e))
-        if not isinstance(stored, sympy.Expr) or stored.has(sympy.Integral, sympy.nan, sympy.oo, sympy.zoo):
-            raise ModelError(f"{owner}: SymPy finds no stored energy; give it as energy=lambda e: …")
-    else:
-        stored = _formula(owner, "energy", energy, e)
     try:
-        law = Law(
-            "formula", f"sigma = {sigma}", (), (e,), (ed,), (), (sigma,), (), stored, "formula of the user"
-        )
-        return _verified(law)
+        if energy is not None:
+            return _verified(_declared(sigma, _formula(owner, "energy", energy, e)), limits)
+        return _with_an_energy(owner, sigma, limits)
     except (CompilerMissingError, CompilationError, CacheError) as error:
         raise CompilerError(f"{owner}: {error}") from error
     except (ValueError, TypeError, NotImplementedError, KeyError, AttributeError) as error:
@@ -76,6 +97,70 @@ def formula_law(owner: str, stress: Any, energy: Callable[..., Any] | None = Non
             f"{owner}: {sigma} cannot be used ({text}); use elementary functions and Piecewise, or compile it with "
             "fx.compile_law"
         ) from error
+
+
+def _declared(sigma: Any, stored: Any) -> Any:
+    """The declaration of a formula with an energy."""
+    from flexel.derive import Law, symbol
+
+    e, ed = symbol("e"), symbol("ed")
+    return Law(
+        "formula", f"sigma = {sigma}", (), (e,), (ed,), (), (sigma,), (), stored, "formula of the user"
+    )
+
+
+def _limits(
+    owner: str, sigma: Any, ranges: Mapping[str, tuple[float, float]] | None
+) -> dict[str, tuple[float, float]]:
+    """The ranges, checked; nothing for none."""
+    import sympy
+
+    from flexel.derive.verify.samples import check_ranges
+
+    if ranges is None:
+        return {}
+    if not isinstance(ranges, Mapping) or (wrong := [name for name in ranges if name not in ("e", "ed")]):
+        shown = repr(ranges) if not isinstance(ranges, Mapping) else f"'{wrong[0]}'"
+        raise ModelError(f"{owner}: ranges of {shown}; give ranges={{'e': (lowest, highest)}}, and of 'ed'")
+    try:
+        check_ranges(_declared(sigma, sympy.S.Zero), ranges)
+    except ValueError as error:
+        text = str(error).removeprefix("'formula': ")
+        raise ModelError(f"{owner}: {text}; give increasing, finite numbers") from error
+    return {name: (float(low), float(high)) for name, (low, high) in ranges.items()}
+
+
+def _with_an_energy(owner: str, sigma: Any, limits: dict[str, tuple[float, float]]) -> Formula:
+    """The compiled law with the first of its energies that passes: closed form, Gauss's rule, none."""
+    import sympy
+
+    from flexel.derive import symbol
+    from flexel.derive.energy import by_gauss, closed_form
+
+    at_rest = sigma.subs(symbol("ed"), 0)
+    if not at_rest.subs(symbol("e"), 0).is_finite:
+        raise ModelError(
+            f"{owner}: {sigma} has no finite value at e = 0, from where its energy counts; give it as "
+            "energy=lambda e: …"
+        )
+    tried = [closed_form(at_rest, symbol("e"))]
+    if "e" in limits:
+        tried.append(by_gauss(at_rest, symbol("e"), *limits["e"]))
+    for stored in tried:
+        if stored is None:
+            continue
+        try:
+            return _verified(_declared(sigma, stored), limits)
+        except ValueError:  # its digits, or its functions: the next one may do
+            continue
+    bare = _verified(_declared(sigma, sympy.S.Zero), limits)  # raises what is wrong with the formula itself
+    remedy = "give energy=lambda e: …" + ("" if "e" in limits else ", or ranges={'e': (lowest, highest)}")
+    warnings.warn(
+        f"{owner}: no stored energy of {sigma} is found; results count its work as dissipated: {remedy}",
+        ModelWarning,
+        stacklevel=outside(),
+    )
+    return bare
 
 
 def of_both(stress: Any) -> Any:
@@ -93,17 +178,44 @@ def of_both(stress: Any) -> Any:
     return (lambda e, ed: stress(e)) if len(asked) == 1 and not variadic else stress
 
 
-def _verified(law: Any) -> Any:
-    """The compiled law, verified over the first of the widths where it is real and numerically accurate."""
-    from flexel.derive.accept import VerificationError, accepted_law
+def _verified(law: Any, limits: dict[str, tuple[float, float]]) -> Formula:
+    """The compiled law, verified in its limits, or over the first width where it is real and accurate."""
+    from flexel.derive.accept import VerificationError
+    from flexel.derive.energy import kinks
 
-    *first, last = [z for z in (_real(law, width) for width in WIDTHS) if z] or [(-1.0, 1.0)]
-    for between in first:
+    if "e" in limits:
+        return _accepted(law, limits)
+    # the formula is examined on both sides of its kinks
+    farthest = max((2 * abs(place) for place in kinks(law.sigma[0], law.e[0])), default=0.0)
+    widths = (farthest, *WIDTHS) if farthest > WIDTHS[0] else WIDTHS
+    failed: VerificationError | None = None
+    for width in widths:
+        if (between := _real(law, width)) is not None:
+            try:
+                return _accepted(law, {**limits, "e": between})
+            except VerificationError as error:  # such as differences of a high power over a wide range
+                failed = error
+    if failed is not None:
+        raise failed
+    return _accepted(law, {**limits, "e": (-1.0, 1.0)})
+
+
+def _accepted(law: Any, limits: dict[str, tuple[float, float]]) -> Formula:
+    """The compiled law, verified: with its numbers as parameters, or with the numbers in place where that fails."""
+    from flexel.derive.accept import accepted_law
+    from flexel.derive.general import general
+
+    shape, values = general(law)
+    symbols = shape.parameter_symbols if values else ()
+    fixed = {symbol.name: (value, value) for symbol, value in zip(symbols, values, strict=True)}
+    if values:
         try:
-            return accepted_law(law, {"e": between})
-        except VerificationError:  # such as numerical differences of a high power over a wide range
-            continue
-    return accepted_law(law, {"e": last})
+            return Formula(accepted_law(shape, {**limits, **fixed}), {FORMULA_NUMBERS: np.array(values)})
+        except (
+            ValueError
+        ):  # such as a base that must be a number: what is wrong with the law itself is found below
+            pass
+    return Formula(accepted_law(law, limits), {})
 
 
 def _real(law: Any, width: float) -> tuple[float, float] | None:

@@ -80,6 +80,7 @@ class Laws(Declarations):
         law: CompiledLaw | Callable[..., Any],
         *,
         energy: Callable[..., Any] | None = None,
+        ranges: Mapping[str, tuple[float, float]] | None = None,
         name: str | None = None,
         initial: Mapping[str, float] | None = None,
         **parameters: Any,
@@ -94,7 +95,11 @@ class Laws(Declarations):
             The result of `flexel.compile_law`; or a function of e, or of e and ed, that is called once with SymPy
             symbols and returns an expression.  Its tangent is derived, and it is compiled and verified.
         energy : callable(e), optional
-            Stored energy [J] of a formula; the integral of the elastic part by default, where SymPy finds it.
+            Stored energy [J] of a formula; the integral of the elastic part from zero by default: in closed form, else
+            by quadrature over the range of e, else none, with a warning.
+        ranges : mapping of str to (float, float), optional
+            Lowest and highest ``e`` and ``ed`` at which a formula is used: it is verified there, and the energy found
+            by quadrature ends there.
         name : str, optional
             Prefix of internal states, ``name.state``; the names in `on`, joined, by default.
         initial : mapping of str to float, optional
@@ -126,11 +131,13 @@ class Laws(Declarations):
         if not _is_compiled(law):
             if given := [*parameters, *(["initial"] if initial is not None else [])]:
                 raise ModelError(f"{owner}: a formula takes no {', '.join(given)}; insert the numbers")
-            self._add_formula(owner, on, law, energy, name)
+            self._add_formula(owner, on, law, energy, ranges, name)
             return
         compiled: Any = law
         if energy is not None:
             raise ModelError(f"{owner}: a compiled law has its own energy; leave energy out")
+        if ranges is not None:
+            raise ModelError(f"{owner}: a compiled law is verified already; give ranges to fx.compile_law")
         owner = f"law '{compiled.spec.name}' on {_listed(on)}"
         self._add_law(owner, compiled.spec, on, parameters, code=compiled.code, initial=initial, label=name)
 
@@ -198,6 +205,7 @@ class Laws(Declarations):
         on: Sequence[str],
         stress: Any,
         energy: Callable[..., Any] | None = None,
+        ranges: Mapping[str, tuple[float, float]] | None = None,
         label: str | None = None,
     ) -> None:
         """Add a law that is a formula of one deformation and its rate."""
@@ -207,8 +215,8 @@ class Laws(Declarations):
                 "fx.compile_law"
             )
         self._quantity_kind(on[0], owner)  # before a formula is compiled for it
-        compiled = formula_law(owner, stress, energy)
-        self._add_law(owner, compiled.spec, on, {}, code=compiled.code, label=label)
+        found = formula_law(owner, stress, energy, ranges)
+        self._add_law(owner, found.law.spec, on, found.parameters, code=found.law.code, label=label)
 
 
 def _checked_parameters(owner: str, spec: LawSpec, parameters: Mapping[str, Any]) -> dict[str, Array]:

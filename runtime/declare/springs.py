@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -36,6 +36,8 @@ class Springs(Laws):
         *,
         free_length: Any = None,
         preload: Any = None,
+        energy: Callable[..., Any] | None = None,
+        ranges: Mapping[str, tuple[float, float]] | None = None,
     ) -> None:
         """Attach a spring, a damper or both: force = preload + stiffness e + damping ė, opposing growth of e.
 
@@ -56,6 +58,10 @@ class Springs(Laws):
             or of the length less this length; with ``free_length=0`` of the length itself.
         preload : float or sequence of float, optional
             Force as drawn [N or N m], in place of a free length.
+        energy : callable(e), optional
+            Stored energy [J] of a formula for the stiffness, of the same e; found as in `law` by default.
+        ranges : mapping of str to (float, float), optional
+            Lowest and highest ``e`` and ``ed`` of formulas, as in `law`.
 
         Raises
         ------
@@ -72,6 +78,7 @@ class Springs(Laws):
         >>> m.spring("strut.elongation", lambda e: 2e4 * e + 3e6 * e**3)  # doctest: +SKIP
         """
         target = _target(on)
+        _refuse_without_formula(target, stiffness, damping, energy, ranges)
         if stiffness is None and damping is None and preload is None:
             raise ModelError(f"{target.owner}: neither stiffness nor damping; give one of them")
         if _on_slips(self, target):
@@ -93,10 +100,10 @@ class Springs(Laws):
         if _shaped(target, stiffness):
             if preload is not None:
                 raise ModelError(f"{target.owner}: a curve or formula holds its own preload; add it there")
-            self._add_shaped(target, stiffness, float(free[0]))
+            self._add_shaped(target, stiffness, float(free[0]), energy, ranges)
             stiffness = None
         if _shaped(target, damping):
-            self._add_damper(target, damping)
+            self._add_damper(target, damping, ranges)
             damping = None
         if stiffness is None and damping is None and preload is None:
             return
@@ -104,18 +111,32 @@ class Springs(Laws):
         force = target.forces(preload) if free_length is None else -S @ free
         self._add_linear(target.owner, places, S, D, force, " ".join(named))
 
-    def _add_shaped(self, target: _Target, shape: Any, free: float) -> None:
+    def _add_shaped(
+        self,
+        target: _Target,
+        shape: Any,
+        free: float,
+        energy: Callable[..., Any] | None,
+        ranges: Mapping[str, tuple[float, float]] | None,
+    ) -> None:
         """A spring by a curve or formula, of the deformation less the free one."""
         if isinstance(shape, Curve):
             self._add_law(target.owner, LAWS["spring_curve"], target.names, shape.parameters(-free))
             return
         force = of_both(shape)
-        self._add_formula(target.owner, target.names, (lambda e, ed: force(e - free, ed)) if free else force)
+        if not free:
+            self._add_formula(target.owner, target.names, force, energy, ranges)
+            return
+        stored = energy and (lambda e: energy(e - free))
+        limits = _moved(target.owner, ranges, free)
+        self._add_formula(target.owner, target.names, lambda e, ed: force(e - free, ed), stored, limits)
 
-    def _add_damper(self, target: _Target, shape: Any) -> None:
+    def _add_damper(
+        self, target: _Target, shape: Any, ranges: Mapping[str, tuple[float, float]] | None
+    ) -> None:
         """A damper by a curve or formula of the rate."""
         if not isinstance(shape, Curve):
-            self._add_formula(target.owner, target.names, lambda e, ed: shape(ed))
+            self._add_formula(target.owner, target.names, lambda e, ed: shape(ed), ranges=ranges)
             return
         if not shape.rests():
             raise ModelError(
@@ -242,6 +263,27 @@ def _on_slips(model: Declarations, target: _Target) -> bool:
             f"{target.owner}: '{slip}' is a slip but not all of them are; give it a separate damper"
         )
     return any(found)
+
+
+def _refuse_without_formula(target: _Target, stiffness: Any, damping: Any, energy: Any, ranges: Any) -> None:
+    """Raise a ModelError for an energy or ranges where there is no formula that takes them."""
+    formulas = [value for value in (stiffness, damping) if callable(value) and not isinstance(value, Curve)]
+    if energy is not None and not any(stiffness is value for value in formulas):
+        raise ModelError(
+            f"{target.owner}: energy is that of a formula; give the stiffness as one, or drop it"
+        )
+    if ranges is not None and not formulas:
+        raise ModelError(f"{target.owner}: ranges are those of a formula; give one, or drop them")
+
+
+def _moved(
+    owner: str, ranges: Mapping[str, tuple[float, float]] | None, free: float
+) -> Mapping[str, tuple[float, float]] | None:
+    """Ranges of the deformation, from those of the deformation less the free one."""
+    if not isinstance(ranges, Mapping) or "e" not in ranges:
+        return ranges
+    low, high = vector(ranges["e"], owner, "range of e", 2) + free
+    return {**ranges, "e": (low, high)}
 
 
 def _shaped(target: _Target, value: Any) -> bool:

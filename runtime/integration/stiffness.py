@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import sys
 import warnings
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from flexel.base.arrays import Array
+from flexel.base.callers import outside
 from flexel.base.errors import FlexelError, StiffWarning
 from flexel.engine.solvers import eigenvalues
 from flexel.integration.driver import Run
@@ -107,13 +107,5 @@ class Watch:
         warnings.warn(
             f"simulate: {self.found}; an interrupt keeps what was computed, use method='{ALPHA}'{events}",
             StiffWarning,
-            stacklevel=_depth(),
+            stacklevel=outside(),
         )
-
-
-def _depth() -> int:
-    """Level of the frame that called the package, as `warnings.warn` of the caller counts."""
-    frame, level = sys._getframe(1), 1
-    while frame.f_back is not None and str(frame.f_globals.get("__name__")).partition(".")[0] == "flexel":
-        frame, level = frame.f_back, level + 1
-    return level

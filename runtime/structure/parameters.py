@@ -17,6 +17,7 @@ import numpy as np
 from flexel.base.arguments import unknown
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
+from flexel.derive.spec import FORMULA_NUMBERS
 from flexel.structure.instances import Instance, LawInstance
 from flexel.structure.structure import Structure
 
@@ -144,7 +145,8 @@ def _split(name: Any) -> tuple[str, int | None]:
 def _places(structure: Structure) -> Iterator[tuple[str, Place]]:
     """All parameters with their names; laws have also those in words.
 
-    Gains of controllers are not included: the controller has a copy of them, for its outputs and limits.
+    Gains of controllers are not included: the controller has a copy of them, for its outputs and limits.  Nor are the
+    numbers of a formula: its energy has numbers that follow from those of the stress.
     """
     controllers = {c.name for c in structure.controllers}
     for law, owners in ((False, structure.instances), (True, structure.laws)):
@@ -158,5 +160,6 @@ def _places(structure: Structure) -> Iterator[tuple[str, Place]]:
             for z in owner.spec.parameters:
                 word = ALIASES.get(z.name, z.name) if law else z.name
                 name = f"{label}.{word}"
-                yield name, Place(name, law, number, z.name, slice(first, first + z.size))
+                if z.name != FORMULA_NUMBERS:
+                    yield name, Place(name, law, number, z.name, slice(first, first + z.size))
                 first += z.size

@@ -153,7 +153,7 @@ class Beam(Stressed):
         slope_q = rotated_rate(x[10:14], v[10:14], self.at_q[0])
         axis = hermite(v[:3], l0 * slope_p, v[7:10], l0 * slope_q)
         T = self.rhoA * mean([dot(z, z) for z in axis])
-        chord = (v[7:10] - v[:3]) / l0
+        chord = (v[7:10] - v[:3]) / norm(x[7:10] - x[:3])
         about_y, about_z = -dot(chord, p[2] + q[2]) / 2, dot(chord, p[1] + q[1]) / 2
         in_p, in_q = body_rate(x[3:7], v[3:7]), body_rate(x[10:14], v[10:14])
         w_p, w_q = ([dot(w, e) for e in at] for w, at in ((in_p, self.at_p), (in_q, self.at_q)))
@@ -211,7 +211,7 @@ class PlanarBeam(Beam):
         p, q = turned(x[2], self.at_p[1]), turned(x[5], self.at_q[1])
         axis = hermite(v[:2], l0 * v[2] * p, v[3:5], l0 * v[5] * q)
         T = self.rhoA * mean([dot(z, z) for z in axis])
-        chord = dot(v[3:5] - v[:2], p + q) / (2 * l0)
+        chord = dot(v[3:5] - v[:2], p + q) / (2 * norm(x[3:5] - x[:2]))
         return l0 * (T + self.rhoJ.sum() * sections(self.shear[0], chord, v[2], v[5])) / 2
 
     def moment(self, x: Array) -> Array:

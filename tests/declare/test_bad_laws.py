@@ -137,7 +137,10 @@ LAWS = {
         "zero or",
     ),
     "linear law on seven": built(
-        lambda m: m.spring([f"d.{i}" for i in range(7)], np.eye(7)), "7 deformations", "name 1 to 6"
+        lambda m: m.spring([f"d.{i}" for i in range(7)], np.eye(7)),
+        "7 deformations",
+        "name 1 to 6",
+        "several springs on some of them add up",
     ),
     "linear law twice on one": built(
         lambda m: m.spring(["pivot.angle"] * 2, np.eye(2)), "'pivot.angle'", "each once"
@@ -254,10 +257,30 @@ LAWS = {
     "formula complex": built(
         lambda m: m.law("pivot.angle", lambda e, ed: e * sympy.I), "'pivot.angle'", "not real", "correct"
     ),
-    "formula without energy": built(
-        lambda m: m.law("pivot.angle", lambda e, ed: e**3 * sympy.exp(sympy.sin(e**2))),
-        "'pivot.angle'",
-        "energy=",
+    "range of something else": built(
+        lambda m: m.law("pivot.angle", lambda e: e, ranges={"phi": (0, 1)}),
+        "law on 'pivot.angle': ranges of 'phi'",
+        "give ranges={'e'",
+    ),
+    "range that decreases": built(
+        lambda m: m.spring("pivot.angle", lambda e: e, ranges={"e": (1, 0)}),
+        "spring on 'pivot.angle': the range (1, 0) of 'e'",
+        "give increasing",
+    ),
+    "range with a free value": built(
+        lambda m: m.spring("pivot.angle", lambda e: e, free_length=0.1, ranges={"e": 3}),
+        "spring on 'pivot.angle': range of e",
+        "give 2 numbers",
+    ),
+    "ranges of a number": built(
+        lambda m: m.spring("pivot.angle", 3.0, ranges={"e": (0, 1)}),
+        "spring on 'pivot.angle': ranges are those of a formula",
+        "drop them",
+    ),
+    "energy of a curve": built(
+        lambda m: m.spring("pivot.angle", Curve([[0, 1]]), energy=lambda e: e),
+        "spring on 'pivot.angle': energy is that of a formula",
+        "drop it",
     ),
     "energy infinite": built(lambda m: m.law("pivot.angle", lambda e, ed: 1 / e), "'pivot.angle'", "energy="),
     "energy of another law": built(

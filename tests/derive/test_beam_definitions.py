@@ -11,9 +11,11 @@ from element_numbers import (
     X,
     beams,
     column,
+    cross,
     equal,
     named,
     numbers,
+    planar_beams,
     plus,
     product,
     rotated,
@@ -127,3 +129,28 @@ def test_rotary_inertia_is_przemienieckis_for_stiff_shear_and_linear_for_soft_sh
     assert (gram / P**2).applyfunc(lambda g: sp.limit(g, P, sp.oo)) == sp.Matrix(
         [[0, 0, 0], [0, 2, 1], [0, 1, 2]]
     ) / 6
+
+
+@planar_beams
+def test_rotary_energy_of_a_stretched_planar_beam_that_spins_does_not_depend_on_the_stretch(name: str) -> None:
+    """All sections turn with the rate w, whatever their distance: T = rhoJ l0 w²/2 (closed form)."""
+    l0, rho_j, w = mpf("0.7"), mpf("0.3"), mpf("1.9")
+    d = numbers(named(name), l0=l0, rhoJ=rho_j, phi_z=mpf("0.4"))
+    for stretch in (mpf("-0.2"), mpf(0), mpf("0.5")):
+        length = l0 * (1 + stretch)
+        T = d.T([0, 0, 0, length, 0, 0], [0, 0, w, 0, length * w, w])
+        assert equal([T], [rho_j * l0 * w**2 / 2])
+
+
+@pytest.mark.parametrize("name", ["beam", "beam_first_order", "beam_warping"])
+def test_rotary_energy_of_a_stretched_beam_that_spins_does_not_depend_on_the_stretch(name: str) -> None:
+    """Rates w about all axes of the section: T = l0 w·rhoJ w/2 (closed form)."""
+    l0, rho_j, w = mpf("0.7"), [mpf("0.1"), mpf("0.2"), mpf("0.3")], [mpf("1.9"), mpf("0.8"), mpf("-1.1")]
+    still = [1, 0, 0, 0]
+    d = numbers(named(name), l0=l0, tp=still, tq=still, rhoJ=rho_j, phi_y=mpf("0.4"), phi_z=mpf("0.9"))
+    turning = [0, *(c / 2 for c in w)]
+    for stretch in (mpf("-0.2"), mpf(0), mpf("0.5")):
+        end = [l0 * (1 + stretch), 0, 0]
+        warping = [0, 0] if name == "beam_warping" else []
+        T = d.T([0, 0, 0, *still, *end, *still, *warping], [0, 0, 0, *turning, *cross(w, end), *turning, *warping])
+        assert equal([T], [l0 * sum(j * c**2 for j, c in zip(rho_j, w, strict=True)) / 2])

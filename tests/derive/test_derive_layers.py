@@ -16,7 +16,7 @@ LAYERS = (
     ("shared_object",),
     ("declare",),
     ("elements", "laws"),
-    ("program",),
+    ("program", "energy", "general"),
     ("emit",),
     ("check",),
     ("verify",),

@@ -1,0 +1,79 @@
+"""The energy that a stress of one deformation stores: its integral from zero, in closed form or by Gauss's rule."""
+
+from collections.abc import Iterator
+from itertools import combinations, pairwise
+
+import numpy as np
+import sympy as sp
+from sympy import Expr, Symbol
+from sympy.core.relational import Relational
+
+from flexel.derive.declare.functions import FUNCTIONS, KINKED
+
+POINTS = 16  # of Gauss's rule, between two kinks
+_KNOWN = (*FUNCTIONS, *KINKED, sp.Piecewise)
+
+
+def closed_form(stress: Expr, e: Symbol) -> Expr | None:
+    """Integrate from zero to e with rational numbers; None where SymPy finds nothing that can be compiled."""
+    exact = stress.replace(lambda part: part.is_Float, lambda part: sp.Rational(repr(float(part))))
+    # the other methods of SymPy take minutes for some formulas, and find functions that have no kernel
+    try:
+        found = sp.integrate(exact, (e, 0, e), meijerg=False, heurisch=False)
+    except (NotImplementedError, sp.PolynomialError):
+        return None
+    if not isinstance(found, Expr):
+        return None
+    found = found.rewrite([sp.asinh, sp.acosh, sp.atanh], sp.log)
+    if found.has(sp.Integral, sp.nan, sp.oo, sp.zoo, sp.I) or found.atoms(sp.Function) - found.atoms(*_KNOWN):
+        return None
+    # a difference of two nearly equal terms becomes one fraction, which keeps its digits
+    one_fraction = found.is_rational_function(e) and not found.is_polynomial(e)
+    return sp.factor(sp.together(found)) if one_fraction else found
+
+
+def by_gauss(stress: Expr, e: Symbol, low: float, high: float) -> Expr:
+    """Integrate from zero to e by Gauss's rule between zero, the kinks and the ends of (low, high)."""
+    inner = [place for place in kinks(stress, e) if low < place < high]
+    edges = sorted({0.0, low, high, *inner})
+    total: Expr = sp.S.Zero
+    for left, right in pairwise(edges):
+        start, end = (left, right) if left >= 0 else (right, left)
+        total += _rule(stress, e, start, end)
+    return total
+
+
+def kinks(expr: Expr, e: Symbol) -> tuple[float, ...]:
+    """Places where pieces of a formula end, of those that are linear in e."""
+    found = set()
+    for margin in _margins(expr):
+        slope = margin.diff(e)
+        if slope.is_number and slope.is_real and slope != 0:
+            place = sp.N(-margin.subs(e, 0) / slope)
+            if place.is_Float:
+                found.add(float(place))
+    return tuple(sorted(found))
+
+
+def _margins(expr: Expr) -> Iterator[Expr]:
+    """What changes its sign where a formula has a kink."""
+    for part in expr.atoms(Relational):
+        yield part.lhs - part.rhs
+    for part in expr.atoms(*KINKED):
+        if isinstance(part, (sp.Min, sp.Max)):
+            yield from (first - second for first, second in combinations(part.args, 2))
+        else:
+            yield part.args[0]
+
+
+def _rule(stress: Expr, e: Symbol, start: float, end: float) -> Expr:
+    """The part of the integral from zero to e that lies between two places, the first nearer to zero."""
+    low, high = min(start, end), max(start, end)
+    span = sp.Min(sp.Max(e, sp.Float(low)), sp.Float(high)) - sp.Float(start)
+    places, weights = np.polynomial.legendre.leggauss(POINTS)
+    terms = (
+        sp.Float(float(weight) / 2)
+        * stress.subs(e, sp.Float(start) + sp.Float((1 + float(place)) / 2) * span)
+        for place, weight in zip(places, weights, strict=True)
+    )
+    return span * sp.Add(*terms)
