@@ -785,7 +785,7 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element beam_logarithmic
     "beam_logarithmic": ElementSpec(
         name="beam_logarithmic",
-        digest="b5dd3926b52bc749",
+        digest="2d1c9e96861f9716",
         doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nturn: rotation vector of R(u_p)'R(u_q), below half a turn; R_m = R(u_p) exp(turn/2), the triad halfway\ns = 1/24 - turn.turn/1920 + (turn.turn)^2/322560\nstraight = R_m'(xq - xp) - l0 s turn x (turn x (1, 0, 0)): the chord without what uniform strains do to it\nbow_z = straight_y/(phi_y l0 + |straight|),  bow_y = -straight_z/(phi_z l0 + |straight|):\n    mean angles of the sections about z and y from the triad halfway; the shear angles are phi_y bow_z, -phi_z bow_y\nbent = turn + turn x (0, bow_y, bow_z)\nelongation = straight_x + l0 ((3/5 + phi_z) bow_y^2 + (3/5 + phi_y) bow_z^2) - l0\ntorsion = l0 bent_x\nbend1, bend2 = l0 (bent_y/2 + (1 + phi_z) bow_y), l0 (bent_y/2 - (1 + phi_z) bow_y)\nbend3, bend4 = l0 (bent_z/2 + (1 + phi_y) bow_z), l0 (bent_z/2 - (1 + phi_y) bow_z)\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_y, phi_z) cubic shapes, torsion linear; w_p, w_q angular velocities in the triads\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
         source="Simo 1985, Comput. Methods Appl. Mech. Eng. 49 (strains of a rod); Crisfield 1990 (triad halfway)",
         nodes=(
@@ -821,7 +821,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("De", (6, 14), tuple(range(84))),
                     OutputSpec("V", (0, 14), ()),
                 ),
-                2228,
+                2243,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -829,14 +829,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("g", (6,), tuple(range(6))),
                     OutputSpec("gs", (0,), ()),
                 ),
-                1248,
+                1225,
             ),
             "rates": KernelSpec(
                 ("x", "v", "p"),
                 (
                     OutputSpec("Phi_x", (6, 14), tuple(range(84))),
                 ),
-                6274,
+                5585,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -844,14 +844,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("Psi_x", (6, 14), tuple(range(84))),
                     OutputSpec("Psi_v", (6, 14), tuple(range(84))),
                 ),
-                19981,
+                17626,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
                 (
                     OutputSpec("K", (14, 14), tuple(range(196))),
                 ),
-                7206,
+                6112,
             ),
             "inertia": KernelSpec(
                 ("x", "v", "p"),
