@@ -61,7 +61,7 @@ class TermSpec:
 
 @dataclass(frozen=True)
 class DeformationSpec:
-    """Deformation; free: free by default (else rigid), period: a sum, kind: "gap" of a contact, "norm" of a frame.
+    """Deformation; free: free by default (else rigid), period: a sum, kind: a word of `flexel.derive.declare.words`.
 
     kinked: its derivatives jump at configurations that motions reach.
     """

@@ -518,11 +518,11 @@ ELEMENTS: dict[str, ElementSpec] = {
         ),
         deformations=(
             DeformationSpec("elongation", "m", False),
-            DeformationSpec("torsion", "m", False),
-            DeformationSpec("bend1", "m", False),
-            DeformationSpec("bend2", "m", False),
-            DeformationSpec("bend3", "m", False),
-            DeformationSpec("bend4", "m", False),
+            DeformationSpec("torsion", "m", False, kind="twist"),
+            DeformationSpec("bend1", "m", False, kind="bend_y"),
+            DeformationSpec("bend2", "m", False, kind="bend_y"),
+            DeformationSpec("bend3", "m", False, kind="bend_z"),
+            DeformationSpec("bend4", "m", False, kind="bend_z"),
         ),
         slips=(),
         kernels={
@@ -612,11 +612,11 @@ ELEMENTS: dict[str, ElementSpec] = {
         ),
         deformations=(
             DeformationSpec("elongation", "m", False),
-            DeformationSpec("torsion", "m", False),
-            DeformationSpec("bend1", "m", False),
-            DeformationSpec("bend2", "m", False),
-            DeformationSpec("bend3", "m", False),
-            DeformationSpec("bend4", "m", False),
+            DeformationSpec("torsion", "m", False, kind="twist"),
+            DeformationSpec("bend1", "m", False, kind="bend_y"),
+            DeformationSpec("bend2", "m", False, kind="bend_y"),
+            DeformationSpec("bend3", "m", False, kind="bend_z"),
+            DeformationSpec("bend4", "m", False, kind="bend_z"),
         ),
         slips=(),
         kernels={
@@ -710,11 +710,11 @@ ELEMENTS: dict[str, ElementSpec] = {
         ),
         deformations=(
             DeformationSpec("elongation", "m", False),
-            DeformationSpec("torsion", "m", False),
-            DeformationSpec("bend1", "m", False),
-            DeformationSpec("bend2", "m", False),
-            DeformationSpec("bend3", "m", False),
-            DeformationSpec("bend4", "m", False),
+            DeformationSpec("torsion", "m", False, kind="twist"),
+            DeformationSpec("bend1", "m", False, kind="bend_y"),
+            DeformationSpec("bend2", "m", False, kind="bend_y"),
+            DeformationSpec("bend3", "m", False, kind="bend_z"),
+            DeformationSpec("bend4", "m", False, kind="bend_z"),
             DeformationSpec("warp1", "m", False),
             DeformationSpec("warp2", "m", False),
         ),
@@ -2080,8 +2080,8 @@ ELEMENTS: dict[str, ElementSpec] = {
         ),
         deformations=(
             DeformationSpec("elongation", "m", False),
-            DeformationSpec("bend1", "m", False),
-            DeformationSpec("bend2", "m", False),
+            DeformationSpec("bend1", "m", False, kind="bend_z"),
+            DeformationSpec("bend2", "m", False, kind="bend_z"),
         ),
         slips=(),
         kernels={
@@ -2170,8 +2170,8 @@ ELEMENTS: dict[str, ElementSpec] = {
         ),
         deformations=(
             DeformationSpec("elongation", "m", False),
-            DeformationSpec("bend1", "m", False),
-            DeformationSpec("bend2", "m", False),
+            DeformationSpec("bend1", "m", False, kind="bend_z"),
+            DeformationSpec("bend2", "m", False, kind="bend_z"),
         ),
         slips=(),
         kernels={

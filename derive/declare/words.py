@@ -33,9 +33,10 @@ PICTURES = (
         "wheel",
     ),
 )
-# What a deformation is, apart from a measure: the gap of a contact (open where positive), or the norm of a frame's
-# Euler parameters (which always holds).
-KINDS = ("", "gap", "norm")
+# What a deformation is, apart from a measure: the gap of a contact (open where positive), the norm of a frame's Euler
+# parameters (which always holds), or the length l0 times the sine of an angle: of the twist between the ends, or of an
+# end with the chord, where those of the same bending plane count together.
+KINDS = ("", "gap", "norm", "twist", "bend_y", "bend_z")
 # What the numbers of a parameter must be; "semidefinite": together the upper triangle of a matrix, row by row, that has
 # no negative eigenvalue.
 SIGNS = ("any", "positive", "not negative", "not zero", "at least one")

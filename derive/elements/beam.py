@@ -28,6 +28,13 @@ T: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary
    the shear-corrected (phi_y, phi_z) cubic shapes, torsion linear; w_p, w_q angular velocities in the triads
 U = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)"""
 
+BENDS = (
+    ("bend1", "bend_y"),
+    ("bend2", "bend_y"),
+    ("bend3", "bend_z"),
+    ("bend4", "bend_z"),
+)  # names and kinds
+
 
 LENGTH = symbol("l")  # distance of the ends, named by `first_order`
 
@@ -47,6 +54,12 @@ def first_order(let: Let, p: Node, q: Node, tp: Triad, tq: Triad) -> list[Expr]:
         -l0 * dot(tq[1], el),
     )
     return [let.scalar(f"b{i + 1}", value) for i, value in enumerate(b)]
+
+
+def deformations(e: list[Expr]) -> tuple[Deformation, ...]:
+    """The six deformations with their names, from their expressions."""
+    kinds = (("elongation", ""), ("torsion", "twist"), *BENDS)
+    return tuple(Deformation(name, "m", expr, kind=kind) for (name, kind), expr in zip(kinds, e, strict=True))
 
 
 def second_order(b: list[Expr], l0: Expr) -> list[Expr]:
@@ -108,7 +121,6 @@ def _beam(name: str, second: bool) -> Element:
         e = second_order(e, l0)
     energy = kinetic_energy(let, nodes, us, tp, tq)
     centre = hermite_mean(p.x, l0 * tp[0], q.x, l0 * tq[0])
-    names = ("elongation", "torsion", "bend1", "bend2", "bend3", "bend4")
     return Element(
         name=name,
         family="beam",
@@ -117,7 +129,7 @@ def _beam(name: str, second: bool) -> Element:
         nodes=nodes,
         parameters=(L0, TP, TQ, RHOA, RHOJ, PHI_Y, PHI_Z, GRAVITY),
         let=let.entries,
-        deformations=tuple(Deformation(n, "m", expr) for n, expr in zip(names, e, strict=True)),
+        deformations=deformations(e),
         kinetic_energy=energy,
         potential=-RHOA.symbol * l0 * dot(GRAVITY.vector, centre),
         doc=FIRST + (_SECOND if second else _NO_SECOND) + _ENERGY,

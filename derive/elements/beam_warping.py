@@ -7,7 +7,7 @@ from sympy import Expr, Matrix, Rational
 from flexel.derive.declare import Deformation, Element, Frame, Let, Point, Warping
 from flexel.derive.declare.rotation import dot
 from flexel.derive.declare.shape import hermite_energy, hermite_mean
-from flexel.derive.elements.beam import FIRST, first_order, kinetic_energy, second_order
+from flexel.derive.elements.beam import FIRST, deformations, first_order, kinetic_energy, second_order
 from flexel.derive.elements.parameters import (
     GRAVITY,
     L0,
@@ -87,9 +87,8 @@ def _beam_warping() -> Element:
     b = first_order(let, p, q, tp, tq)
     b7, b8 = (let.scalar(f"b{i}", l0**2 * w.x[0] - b[1]) for i, w in ((7, wp), (8, wq)))
     e = _with_uneven_twist(second_order(b, l0), b, b7, b8)
-    e += [l0**2 * w.x[0] - e[1] for w in (wp, wq)]
+    warps = [Deformation(f"warp{i}", "m", l0**2 * w.x[0] - e[1]) for i, w in ((1, wp), (2, wq))]
     energy = kinetic_energy(let, (p, rp, q, rq), us, tp, tq, _cubic_spin(let, wp.v[0], wq.v[0]))
-    names = ("elongation", "torsion", "bend1", "bend2", "bend3", "bend4", "warp1", "warp2")
     return Element(
         name="beam_warping",
         family="beam",
@@ -98,7 +97,7 @@ def _beam_warping() -> Element:
         nodes=(p, rp, q, rq, wp, wq),
         parameters=(L0, TP, TQ, RHOA, RHOJ, RHOIW, POLAR, PHI_Y, PHI_Z, GRAVITY),
         let=let.entries,
-        deformations=tuple(Deformation(n, "m", expr) for n, expr in zip(names, e, strict=True)),
+        deformations=(*deformations(e), *warps),
         kinetic_energy=energy,
         potential=-RHOA.symbol * l0 * dot(GRAVITY.vector, hermite_mean(p.x, l0 * tp[0], q.x, l0 * tq[0])),
         doc=FIRST + _DOC,

@@ -69,8 +69,8 @@ def _planar_beam(name: str, second: bool) -> Element:
         let=let.entries,
         deformations=(
             Deformation("elongation", "m", elongation),
-            Deformation("bend1", "m", b5),
-            Deformation("bend2", "m", b6),
+            Deformation("bend1", "m", b5, kind="bend_z"),
+            Deformation("bend2", "m", b6, kind="bend_z"),
         ),
         kinetic_energy=energy,
         potential=-RHOA.symbol * l0 * dot(PLANAR_GRAVITY.vector, centre),

@@ -12,6 +12,7 @@ from flexel.base.errors import IncompleteWarning, UnstableWarning
 from flexel.base.shown import Listing
 from flexel.integration.branch import Choices
 from flexel.integration.outcome import Integration
+from flexel.mechanics.bent import warn_bent
 from flexel.mechanics.core import Core
 from flexel.mechanics.reach import lost, reach, warn_replaced
 from flexel.results.motion import Motion
@@ -77,6 +78,8 @@ class Equilibria(Core):
         UnstableWarning
             If the equilibrium is unstable: by its stiffness, or, where forces have no potential or wheels roll, by the
             eigenvalues of its linearization, if every degree of freedom has inertia and nothing is held.
+        RangeWarning
+            If a beam is bent or twisted by more than 15° within one element; so in every analysis.
         """
         wanted = flag(stable, "equilibrium", "stable")
         found = path.equilibrium(self, t, _at(self, start, "equilibrium"), hold, stable=wanted)
@@ -86,7 +89,7 @@ class Equilibria(Core):
                 UnstableWarning,
                 stacklevel=2,
             )
-        return _well_chosen(self, found.state)
+        return _checked(_well_chosen(self, found.state), "equilibrium")
 
     def static_path(self, start: State | None = None, *, t_end: float) -> Motion:
         """Equilibria as time, the load parameter, goes to `t_end`; limit points are passed by arc length.
@@ -114,7 +117,9 @@ class Equilibria(Core):
         states, message = path.static_path(self, t_end, _at(self, start, "static_path"))
         if message:
             warnings.warn(message, IncompleteWarning, stacklevel=2)
-        return Motion(self, Integration.of_equilibria(states, message))
+        found = Integration.of_equilibria(states, message)
+        warn_bent(self.structure, found.states.times, found.states.deformations, "static_path")
+        return Motion(self, found)
 
     def buckling(
         self, state: State | None = None, *, increment: Mapping[str, float], count: int = 5
@@ -142,7 +147,7 @@ class Equilibria(Core):
         UnsteadyWarning
             If the state is not in equilibrium.
         """
-        return stability.buckling(self, _at(self, state, "buckling"), increment, count)
+        return stability.buckling(self, _checked(_at(self, state, "buckling"), "buckling"), increment, count)
 
     def vibrations(self, state: State | None = None, *, count: int = 10) -> Listing[stability.Vibration]:
         """Lowest natural frequencies and modes about a state of rest, without damping.
@@ -171,7 +176,7 @@ class Equilibria(Core):
             rest = path.equilibrium(self, None, self.at_rest).state
         else:
             rest = own_state(self.structure, state, "vibrations")
-        return stability.vibrations(self, rest, count)
+        return stability.vibrations(self, _checked(rest, "vibrations"), count)
 
     def compliance(
         self,
@@ -202,7 +207,7 @@ class Equilibria(Core):
         DynamicsError
             If a motion is unresisted; names it.
         """
-        rest = _at(self, state, "compliance")
+        rest = _checked(_at(self, state, "compliance"), "compliance")
         return compliance.compliance(self, point, frame, rest, offset=offset, hold=hold)
 
     def steady(
@@ -240,15 +245,16 @@ class Equilibria(Core):
         refuse_sampled(
             self.structure.controllers, "steady", "simulate it, or take an equilibrium with its outputs held"
         )
-        return steady_motion(
-            self,
-            self.initial if start is None else own_state(self.structure, start, "steady"),
-            rates,
-            unknown,
-            unknown_rates,
-        )
+        begin = self.initial if start is None else own_state(self.structure, start, "steady")
+        return _checked(steady_motion(self, begin, rates, unknown, unknown_rates), "steady")
 
 
 def _at(system: Core, state: State | None, owner: str) -> State:
     """The given state of rest, which must be one of the system, or its initial configuration."""
     return system.at_rest if state is None else own_state(system.structure, state, owner)
+
+
+def _checked(state: State, analysis: str) -> State:
+    """The same state, with a warning of beams that are bent or twisted too far within one element."""
+    warn_bent(state.structure, [state.t], state.e[None], analysis)
+    return state

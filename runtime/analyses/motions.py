@@ -21,6 +21,7 @@ from flexel.integration.events import Event, checked
 from flexel.integration.outcome import Integration, from_start, stored_times
 from flexel.integration.ranges import warn_outside
 from flexel.integration.stiffness import Watch
+from flexel.mechanics.bent import warn_bent
 from flexel.mechanics.core import Core
 from flexel.results.motion import Motion
 from flexel.structure.state import State
@@ -128,7 +129,8 @@ class Motions(Core):
         StiffWarning
             If an explicit method turns out to need many thousands of steps because the system is stiff.
         RangeWarning
-            If a quantity is outside the data of its law at a stored time, by name.
+            If a quantity is outside the data of its law at a stored time, or a beam is bent or twisted by more than
+            15° within one element, by name.
         """
         if progress is not None:  # a checkpoint may hold the whole motion: no integrator checks it then
             flag(progress, "simulate", "progress")
@@ -252,4 +254,5 @@ def _motion(system: Core, found: Integration, times: Array) -> Motion:
     """The motion from the first time to be stored on, with a warning of quantities outside the data of their laws."""
     stored = found.since(float(times[0]))
     warn_outside(system, stored.states)
+    warn_bent(system.structure, stored.states.times, stored.states.deformations, "simulate")
     return Motion(system, stored)

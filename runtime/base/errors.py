@@ -68,7 +68,7 @@ class UnstableWarning(UserWarning):
 
 
 class RangeWarning(UserWarning):
-    """A motion has left the range of the data of a law: the message names it and the kind of extrapolation."""
+    """A state is beyond the data of a law, or beyond the deformations for which an element is accurate; by name."""
 
 
 class StiffWarning(UserWarning):

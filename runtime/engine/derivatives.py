@@ -57,6 +57,8 @@ class Tangents:
 class Derivatives(Portable):
     """The same as values of the patterns of a model: of J, Phi_x, Psi_x and Psi_v, of M, and of r_x and r_v.
 
+    Here r_x and r_v are without the part of the derivatives of laws.
+
     Attributes
     ----------
     laws : ndarray
@@ -93,6 +95,15 @@ class Derivatives(Portable):
         return by_x, by_rate @ J[: m + k], lag[:, 2 * m + k :].toarray()
 
     @property
+    def _by_laws(self) -> tuple[Any, Any]:
+        """The parts (n, n) of r_x and r_v of the derivatives of laws."""
+        s, pattern = self.evaluation.structure, self.evaluation.tables.J
+        m, k = s.m, s.k
+        J, Phi_x = pattern.matrix(self.J)[: m + k], pattern.matrix(self.Phi_x)[: m + k]
+        by_e, by_rate = self._law_matrix[: m + k, :m], self._law_matrix[: m + k, m : 2 * m + k]
+        return J.T @ (by_e @ J[:m] + by_rate @ Phi_x), J.T @ (by_rate @ J)
+
+    @property
     def stress_z(self) -> Array:
         """Stresses by internal states (m + k, nz)."""
         s = self.evaluation.structure
@@ -104,6 +115,8 @@ class Derivatives(Portable):
         m, k = s.m, s.k
         own = {z: t.J.matrix(getattr(self, z)).toarray() for z in ("J", "Phi_x", "Psi_x", "Psi_v")}
         own |= {z: t.T.whole.matrix(getattr(self, z)).toarray() for z in ("r_x", "r_v")}
+        for name, part in zip(("r_x", "r_v"), self._by_laws, strict=True):
+            own[name] += part[:, : s.nf].toarray()
         parts = np.split(self._law_matrix[: m + k].toarray(), [m, 2 * m, 2 * m + k], axis=1)
         own |= dict(zip(("stress_e", "stress_ed", "stress_s", "stress_z"), parts, strict=True))
         by_x, by_v, by_z = self.lags

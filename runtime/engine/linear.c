@@ -51,15 +51,17 @@ static void derive(flexel_work *s, const flexel_linear *l, const double *state, 
     flexel_rate_derivatives(s);
     flexel_acceleration_derivatives(s);
     flexel_law_tangents(s, 0);
+    double *laws = derivatives + derivatives_of(s, l) - l->nlaws;
+    for (size_t i = 0; i < l->nlaws; i++)
+        laws[i] = s->law_tangent_out[l->laws[i]];
+    memset(s->S, 0, s->S_sums.n * sizeof(double));
+    memset(s->S_rate, 0, s->S_rate_sums.n * sizeof(double));
     derivatives = flexel_put_numbers(derivatives, s->J, nJ);
     derivatives = flexel_put_numbers(derivatives, s->Phi, nJ);
     derivatives = flexel_put_numbers(derivatives, s->Psi_x, nJ);
     derivatives = flexel_put_numbers(derivatives, s->Psi_v, nJ);
     derivatives = flexel_put_numbers(derivatives, s->M, (size_t)s->M_start[s->n]);
     flexel_tangents(s, derivatives, derivatives + s->nT);
-    derivatives += 2 * s->nT;
-    for (size_t i = 0; i < l->nlaws; i++)
-        derivatives[i] = s->law_tangent_out[l->laws[i]];
 }
 
 /* z += sum of values times rows of `in`, `width` columns of `stride`; entries of fixed columns, which come last, are left out. */
@@ -173,10 +175,64 @@ static void multiply(const flexel_work *s, const flexel_choice *c, const flexel_
     add_product(nf, s->T_start, l->T_column, r_x, p, p, X->G, to, factors + 2 * r);
 }
 
+/* A row of one number one in a known column, or of zeros; returns whether it has to be computed. */
+static int known_row(int place, size_t count, double *row)
+{
+    memset(row, 0, count * sizeof(double));
+    if (place >= 0)
+        row[place] = 1;
+    return place == FLEXEL_COMPUTED;
+}
+
+/* Derivatives of the quantities of laws, of their values by the degrees of freedom (p columns), and of their rates by the rates
+ * and the degrees of freedom (r + p). */
+static void quantities(const flexel_work *s, const flexel_choice *c, const flexel_linear *l, const double *Phi,
+                       const flexel_transfer *X, double *values, double *rates)
+{
+    const size_t p = values_of(c), r = rates_of(c), all = p + r;
+    for (size_t i = 0; i < l->nacting; i++, values += p, rates += all) {
+        const int first = s->J_start[l->acting[i]], end = s->J_start[l->acting[i] + 1];
+        if (known_row(l->by_value[i], p, values))
+            add_row(s->nf, first, end, s->J_column, s->J, p, p, X->G, values);
+        if (known_row(l->by_rate[i], all, rates)) {
+            add_row(s->nf, first, end, s->J_column, s->J, all, all, X->first, rates);
+            add_row(s->nf, first, end, s->J_column, Phi, p, p, X->G, rates + r);
+        }
+    }
+}
+
+/* y += z x */
+static void add_multiple(size_t count, double z, const double *restrict x, double *restrict y)
+{
+    for (size_t i = 0; i < count; i++)
+        y[i] += z * x[i];
+}
+
+/* [C K] (nd by r + p) from the derivatives of the laws. */
+static void laws(const flexel_choice *c, const flexel_linear *l, const double *slopes, const double *values,
+                 const double *rates, double *out)
+{
+    const size_t p = values_of(c), r = rates_of(c), all = p + r;
+    memset(out, 0, c->nd * all * sizeof(double));
+    for (size_t k = 0; k < l->nlaws; k++) {
+        if (l->row[k] < 0 || slopes[k] == 0)
+            continue;
+        const double *along = rates + (size_t)l->row[k] * all;
+        for (size_t i = 0; i < c->nd; i++) {
+            const double z = along[i] * slopes[k];
+            if (z != 0 && l->rate[k])
+                add_multiple(all, z, rates + (size_t)l->column[k] * all, out + i * all);
+            else if (z != 0)
+                add_multiple(p, z, values + (size_t)l->column[k] * p, out + i * all + r);
+        }
+    }
+}
+
 size_t flexel_linearize(flexel_work *s, flexel_choice *c, const flexel_linear *l, size_t count, const double *states,
-                        double *derivatives, double *transfer, double *factors, double *space, int *code)
+                        double *derivatives, double *transfer, double *factors, double *by_laws, double *space, int *code)
 {
     const size_t p = values_of(c), all = p + rates_of(c), nJ = (size_t)s->J_start[s->m + s->k + s->n], nf = s->nf;
+    double *values = space + 3 * nf * all, *rates = values + l->nacting * p;
     *code = FLEXEL_DONE;
     for (size_t i = 0; i < count; i++) {
         const double *Phi = derivatives + nJ, *r_x = derivatives + 4 * nJ + (size_t)s->M_start[s->n];
@@ -192,10 +248,13 @@ size_t flexel_linearize(flexel_work *s, flexel_choice *c, const flexel_linear *l
         transfer_functions(s, c, Phi, Phi + nJ, Phi + 2 * nJ, &X, space);
         rolling(s, c, Phi, &X);
         multiply(s, c, l, r_x, r_x + s->nT, &X, factors);
+        quantities(s, c, l, Phi, &X, values, rates);
+        laws(c, l, r_x + 2 * s->nT, values, rates, by_laws);
         states += input_of(s);
         derivatives += derivatives_of(s, l);
         transfer += transfer_of(s, c);
         factors += nf * (all + rates_of(c));
+        by_laws += c->nd * all;
     }
     return count;
 }

@@ -14,7 +14,11 @@ from flexel.engine.derivatives import Derivatives
 from flexel.engine.evaluate import Evaluation
 from flexel.engine.structs import Struct
 from flexel.generated._kernels import ffi, lib
+from flexel.structure.roles import Roles
 from flexel.structure.state import State
+
+
+COMPUTED, ZERO = int(lib.FLEXEL_COMPUTED), int(lib.FLEXEL_ZERO)
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,6 +31,8 @@ class Linearized:
     transfer : ndarray (states, …)
     factors : ndarray (states, nf, …)
         M H, r_v H + M A_v and r_x G + r_v N + M A_q side by side.
+    laws : ndarray (states, nd, …)
+        What the derivatives of laws add to [C K].
     done, code : int
         Number of states that are done, and why the next one is not; zero if all are.
     """
@@ -34,6 +40,7 @@ class Linearized:
     derivatives: Array
     transfer: Array
     factors: Array
+    laws: Array
     done: int
     code: int
 
@@ -74,14 +81,43 @@ class Linearizer(Struct):
         laws = t.law.entries[2]
         self.struct.T_column = self.integers(t.T.whole.column.astype(np.int32))
         self.struct.nlaws, self.struct.laws = laws.size, self.integers(laws.astype(np.int32))
+        acting = self._laws(evaluation, roles)
         nu, nk = roles.prescribed.size, roles.nq - roles.nd
         p, r = -(-(roles.nq + nu) // 4) * 4, -(-(roles.nd + nu) // 4) * 4  # as in linear.h
         self.width = r
-        self._factors = s.nf, 2 * r + p
-        self._space = 3 * s.nf * (p + r)
+        self._factors, self._by_laws = (s.nf, 2 * r + p), (roles.nd, r + p)
+        self._space = 3 * s.nf * (p + r) + acting * (r + 2 * p)
         self._transfer = _places([(s.nf, p), (s.nf, r + p), (s.nf, r + p), (nk, r + p)])
         nJ, nT = t.J.size, t.T.whole.size
         self._derivatives = _places([(z,) for z in (nJ, nJ, nJ, nJ, t.M.size, nT, nT, laws.size)])
+
+    def _laws(self, evaluation: Evaluation, roles: Roles) -> int:
+        """The lists of the laws, see linear.h; returns the number of their quantities."""
+        s = evaluation.structure
+        rows, columns, _ = evaluation.tables.law.entries
+        rate = columns >= s.m
+        by = np.where(columns < 2 * s.m, columns % max(s.m, 1), columns - s.m)  # (e, ed, s, z): slips are rates
+        stress = (rows < s.m + s.k) & (columns < 2 * s.m + s.k)
+        acting = np.unique(np.concatenate([rows[stress], by[stress]]))
+        values, rates = np.full((2, s.m + s.k + s.n), COMPUTED)
+        for number, quantity in enumerate(roles.position_rows):
+            place = number - roles.rigid.size
+            moved = place - roles.prescribed.size
+            if moved < 0:
+                values[quantity] = ZERO if place < 0 else roles.nq + place
+                rates[quantity] = ZERO if place < 0 else roles.nd + place
+                continue
+            values[quantity] = moved
+            if moved < roles.nd:
+                rates[quantity] = moved
+        rates[roles.zero] = ZERO
+        self.struct.nacting = acting.size
+        struct, lists = self.struct, {"acting": acting, "by_value": values[acting], "by_rate": rates[acting]}
+        lists |= {"row": np.where(stress, np.searchsorted(acting, rows), -1)}
+        lists |= {"column": np.where(stress, np.searchsorted(acting, by), -1), "rate": rate}
+        for name, numbers in lists.items():
+            setattr(struct, name, self.integers(numbers.astype(np.int32)))
+        return int(acting.size)
 
     @staticmethod
     def rows(states: Sequence[State]) -> Array:
@@ -104,10 +140,11 @@ class Linearizer(Struct):
             np.empty((count, self._derivatives[-1][0].stop)),
             np.empty((count, self._transfer[-1][0].stop)),
         )
-        factors, space, code = np.empty((count, *self._factors)), np.empty(self._space), ffi.new("int *")
-        pointers = (ffi.from_buffer("double[]", z) for z in (given, *found, factors, space))
+        factors, laws = np.empty((count, *self._factors)), np.empty((count, *self._by_laws))
+        space, code = np.empty(self._space), ffi.new("int *")
+        pointers = (ffi.from_buffer("double[]", z) for z in (given, *found, factors, laws, space))
         done = lib.flexel_linearize(choice.work.struct, choice.struct, self.struct, count, *pointers, code)
-        return Linearized(*found, factors, int(done), int(code[0]))
+        return Linearized(*found, factors, laws, int(done), int(code[0]))
 
     def derivatives(self, found: Linearized, i: int) -> Derivatives:
         """Derivatives at state number i."""

@@ -128,6 +128,13 @@ class States(Sequence[State]):
         return [entry.t for entry in self._entries]
 
     @property
+    def deformations(self) -> Array:
+        """Deformations (times, m); pending states are not completed for them."""
+        return np.array(
+            [entry.moment.e if isinstance(entry, Pending) else entry.e for entry in self._entries]
+        )
+
+    @property
     def end(self) -> float:
         """Time [s] of the last one."""
         return self._entries[-1].t

@@ -51,7 +51,7 @@ def suitable(system: Core, state: State) -> Suitable:
     if system.roles.nd > MANY:
         return Suitable(ALPHA, f"{system.roles.nd} degrees of freedom, above {MANY}")
     try:
-        lin = system.linearize(state)
+        lin = system._linearization(state)
         inertia = np.diag(lin.M) * system.kinematics.scales(system.roles.dynamic) ** 2
         return Suitable("", rates=np.abs(eigenvalues(lin.state_matrix)), inertia=inertia)
     except InertiaError as error:

@@ -18,6 +18,7 @@ from flexel.base.arguments import LARGEST, number, positive, vector
 from flexel.base.arrays import Array, Index
 from flexel.engine.evaluate import Evaluation
 from flexel.mechanics import dynamics, states
+from flexel.mechanics.bent import warn_bent
 from flexel.mechanics.diagnose import choose_dofs, named_dofs
 from flexel.mechanics.kinematics import Configuration, Kinematics
 from flexel.mechanics.linearization import Linearization
@@ -217,12 +218,22 @@ class Core:
         Functions of continuous controllers are differentiated numerically, and must be smooth there and within limits.
         Sampled controllers hold their outputs; `Linearization.sampled` closes their loop.
 
+        Warns
+        -----
+        RangeWarning
+            If a beam is bent or twisted by more than 15° within one element.
+
         Examples
         --------
         >>> lin = system.linearize(motion[-1])  # doctest: +SKIP
         >>> lin.eigenvalues()  # doctest: +SKIP
         """
         state = self.initial if state is None else own_state(self.structure, state, "linearize")
+        warn_bent(self.structure, [state.t], state.e[None], "linearize")
+        return self._linearization(state)
+
+    def _linearization(self, state: State) -> Linearization:
+        """The same for other analyses, which warn of their states themselves."""
         check_smooth(self.structure.controllers, state)
         return linearize(self._usable(state), state)
 

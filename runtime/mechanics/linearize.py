@@ -55,6 +55,7 @@ def linearized(kinematics: Kinematics, rows: Array) -> Stack:
         raise kinematics.failure(found.code, float(rows[found.done, 0]))
     transfers = linearizer.transfers(found)
     matrices = transfers[1][:, :, : roles.nd].transpose(0, 2, 1) @ found.factors
+    matrices[:, :, linearizer.width :] += found.laws
     for z in matrices:
         if not definite(z[:, : roles.nd]):
             raise massless(structure, roles, z[:, : roles.nd])

@@ -21,7 +21,7 @@ def growing_motions(system: Core, state: State) -> int:
     if system.roles.nq > LARGEST:
         return 0
     try:
-        lin = system.linearize(state)
+        lin = system._linearization(state)
     except InertiaError:
         return 0
     w = spectrum(lin.state_matrix, len(lin.dynamic))[0]

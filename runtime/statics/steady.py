@@ -42,7 +42,7 @@ def steady_motion(
     first = start if rates is None else _with_rates(system, start, rates)
 
     def evaluate(state: State) -> tuple[Unbalance, float]:
-        lin = system.linearize(state)
+        lin = system._linearization(state)
         scale = _force_scale(system, state, lin)
         qdd = state.Phi_v[system.roles.dynamic]
         found = Unbalance(-lin.M @ qdd / scale, state.zd, scale, lin, columns, speeds)

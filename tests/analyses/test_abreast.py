@@ -7,6 +7,7 @@ import mechanisms
 import moving
 import numpy as np
 import pytest
+from coarse import COARSE_MESH
 
 import flexel as fx
 from flexel.analyses import abreast as motions
@@ -67,6 +68,7 @@ CASES: dict[str, tuple[Callable[[], fx.Model | fx.System], str, bool]] = {
 }
 
 
+@COARSE_MESH
 @pytest.mark.parametrize("name", CASES)
 def test_lanes_have_the_digits_of_variants_alone(name: str, seen: Counter[str]) -> None:
     model, parameter, stops = CASES[name]

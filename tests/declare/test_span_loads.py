@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from coarse import COARSE_MESH
 
 import flexel as fx
 
@@ -45,6 +46,7 @@ def test_one_element_under_an_even_load_bends_as_the_closed_form_says(
     assert state.force("P0.y") == pytest.approx(-q * L, rel=1e-9)
 
 
+@COARSE_MESH
 def test_a_load_along_the_beam_equals_its_weight_in_any_motion() -> None:
     def motion(loaded: bool) -> fx.Motion:
         m = fx.Model(gravity=(0, 0, 0) if loaded else (0, 0, -9.81))
@@ -97,6 +99,7 @@ def test_a_following_end_force_bends_a_beam_and_stays_normal_to_it(planar: bool)
     np.testing.assert_allclose(reaction, -F * np.array([-np.sin(angle), np.cos(angle)]), rtol=1e-8)
 
 
+@COARSE_MESH
 def test_a_following_force_has_an_exact_tangent() -> None:
     m = cantilever(2, planar=False)
     m.load("P2", (0.0, 1.0, 0.3), follower="R2")

@@ -132,7 +132,9 @@ def test_rotary_inertia_is_przemienieckis_for_stiff_shear_and_linear_for_soft_sh
 
 
 @planar_beams
-def test_rotary_energy_of_a_stretched_planar_beam_that_spins_does_not_depend_on_the_stretch(name: str) -> None:
+def test_rotary_energy_of_a_stretched_planar_beam_that_spins_does_not_depend_on_the_stretch(
+    name: str,
+) -> None:
     """All sections turn with the rate w, whatever their distance: T = rhoJ l0 w²/2 (closed form)."""
     l0, rho_j, w = mpf("0.7"), mpf("0.3"), mpf("1.9")
     d = numbers(named(name), l0=l0, rhoJ=rho_j, phi_z=mpf("0.4"))
@@ -152,5 +154,7 @@ def test_rotary_energy_of_a_stretched_beam_that_spins_does_not_depend_on_the_str
     for stretch in (mpf("-0.2"), mpf(0), mpf("0.5")):
         end = [l0 * (1 + stretch), 0, 0]
         warping = [0, 0] if name == "beam_warping" else []
-        T = d.T([0, 0, 0, *still, *end, *still, *warping], [0, 0, 0, *turning, *cross(w, end), *turning, *warping])
+        T = d.T(
+            [0, 0, 0, *still, *end, *still, *warping], [0, 0, 0, *turning, *cross(w, end), *turning, *warping]
+        )
         assert equal([T], [l0 * sum(j * c**2 for j, c in zip(rho_j, w, strict=True)) / 2])

@@ -7,6 +7,7 @@ from typing import Any
 import flexure_tables as tables
 import numpy as np
 import pytest
+from coarse import COARSE_MESH
 from flexure_tables import ALL, IDEAL, LEAF, LENGTH, RADIUS, ROD, SPACING
 
 import flexel as fx
@@ -174,6 +175,7 @@ def test_a_displacement_in_steps_ends_where_an_initial_one_does() -> None:
     assert len(parts) == 11 and parts.displacements[0, 1, 1] == pytest.approx(0.005)
 
 
+@COARSE_MESH
 def test_two_leaf_springs_come_out_as_in_spacar() -> None:
     """UT SPACAR's own results of a mechanism of SPACAR Light, over a prescribed turn of half a radian under weight."""
     theirs = json.loads(

@@ -3,6 +3,7 @@
 import flexure_tables as tables
 import numpy as np
 import pytest
+from coarse import COARSE_MESH
 
 import flexel as fx
 from flexel.linear.tracking import Branches
@@ -45,6 +46,7 @@ def test_steps_without_modes_stay_unknown() -> None:
     assert none.eigenvalues.shape == (5, 0) and none.names == []
 
 
+@COARSE_MESH
 def test_the_figure_has_a_line_for_each_mode_by_name() -> None:
     """A cross hinge that is turned: its torsional mode comes down from the third place to the first."""
     pytest.importorskip("matplotlib", reason="pictures need pip install 'flexel[plot]'")

@@ -6,6 +6,7 @@ from typing import Any
 import flexure_tables as tables
 import numpy as np
 import pytest
+from coarse import COARSE_MESH
 
 import flexel as fx
 
@@ -89,6 +90,7 @@ def test_pictures_and_pages_are_written(found: fx.Flexure, tmp_path: Path) -> No
         found.plot_shapes(3)
 
 
+@COARSE_MESH
 def test_a_displacement_out_of_reach_ends_the_steps_with_a_message() -> None:
     """A rigid arm of 50 mm on a rod that can only twist does not reach 80 mm to the side."""
     rod = tables.leaf([1], 1, [2]) | {"orientation": (1, 0, 0)}

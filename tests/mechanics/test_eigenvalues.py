@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from coarse import COARSE_MESH
 from differences import (
     worst,
 )
@@ -10,6 +11,7 @@ from moving import MODELS
 from flexel.model import Model
 
 
+@COARSE_MESH
 @pytest.mark.parametrize("name", ["loop", "planar", "flexible_arm"])
 def test_stiffness_is_symmetric_in_a_conservative_equilibrium(name: str) -> None:
     m = MODELS[name]()

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 from click.testing import CliRunner
+from coarse import COARSE_MESH
 from mechanisms import cantilever, pendulum
 
 import flexel as fx
@@ -79,6 +80,7 @@ def test_the_tables_of_a_spacar_run_name_the_motion_beside(tmp_path: Path, check
         assert "is a table of a SPACAR run" in result.output and "its motion is not beside" in result.output
 
 
+@COARSE_MESH
 def test_the_load_steps_of_a_spacar_file_are_kept_and_played(tmp_path: Path, checkout: Path) -> None:
     path = str(checkout / "tests" / "data" / "two_leaf_pivot.dat")
     made = CliRunner().invoke(cli.main, ["run", path, "--out", str(tmp_path)])

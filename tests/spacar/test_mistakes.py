@@ -9,6 +9,7 @@ from pathlib import Path
 import pytest
 from bad_process import verdicts
 from bad_spacar import Mistake, cases
+from coarse import COARSE_MESH
 
 
 def judge(chosen: Sequence[Mistake], folder: Path) -> None:
@@ -22,6 +23,7 @@ def test_a_sample_of_files_with_mistakes_ends_in_results_or_messages(tmp_path: P
     judge(cases(8), tmp_path)
 
 
+@COARSE_MESH
 @pytest.mark.campaign
 @pytest.mark.slow
 def test_2000_files_with_mistakes_end_in_results_or_messages(tmp_path: Path) -> None:

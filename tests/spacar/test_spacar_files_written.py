@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from click.testing import CliRunner
+from coarse import COARSE_MESH
 from mechanisms import DATA
 from scipy.io import loadmat
 from spacar_lines import file
@@ -15,6 +16,9 @@ from flexel.base.arrays import Array
 from flexel.commands.main import main
 from flexel.results.saved.spacar_entries import Entries, read_entries
 from flexel.spacar.run import run_spacar
+
+pytestmark = COARSE_MESH
+
 
 PIVOT = DATA / "two_leaf_pivot.dat"
 

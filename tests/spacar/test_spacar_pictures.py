@@ -4,6 +4,7 @@ import re
 from pathlib import Path
 
 import pytest
+from coarse import COARSE_MESH
 from spacar_lines import CRANK, file
 
 import flexel as fx
@@ -84,6 +85,7 @@ def test_the_form_in_which_spacar_light_writes_it(tmp_path: Path) -> None:
     assert len(noted(found, "modeshape is not read")) == len(noted(found, "maximum is not read")) == 1
 
 
+@COARSE_MESH
 def test_sections_and_colours_are_what_pictures_show_and_the_mechanics_is_the_same(tmp_path: Path) -> None:
     plain = file(tmp_path, *MODEL)
     system, states = file(tmp_path, *MODEL, *AS_LIGHT).static_steps()

@@ -12,10 +12,14 @@ from typing import Any
 import numpy as np
 import pytest
 from click.testing import CliRunner
+from coarse import COARSE_MESH
 from scipy.linalg import eigvals
 
 from flexel.base.arrays import Array
 from flexel.commands.main import main
+
+pytestmark = COARSE_MESH
+
 
 DATA = Path(__file__).parent.parent / "data"
 FILE = DATA / "two_leaf_pivot.dat"

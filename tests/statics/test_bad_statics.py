@@ -1,5 +1,6 @@
 """Mistakes in what statics, buckling and vibrations are given."""
 
+from coarse import COARSE_MESH
 from mistakes import Case, check, drawing, each
 
 from flexel.base.errors import DynamicsError
@@ -51,6 +52,7 @@ def _falling() -> System:
     return m.build()
 
 
+@COARSE_MESH
 @each(STATICS)
 def test_a_mistake_in_statics_is_named_with_its_remedy(case: Case) -> None:
     check(case)

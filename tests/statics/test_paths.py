@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from coarse import COARSE_MESH
 
 import flexel as fx
 from flexel.mechanics.arclength import Arcs
@@ -32,6 +33,7 @@ def limits(path: fx.Motion) -> np.ndarray:
     return t[1:-1][turns]
 
 
+@COARSE_MESH
 @pytest.mark.parametrize(
     ("rise", "slenderness", "load"), [(0.05, 1000.0, 360.0), (0.1, 300.0, 660.0), (0.05, 300.0, 360.0)]
 )
@@ -49,6 +51,7 @@ def test_a_path_passes_every_fold_in_long_steps_as_in_short_ones(
     assert path["p8.y"][-1] == pytest.approx(fine["p8.y"][-1], rel=1e-9)
 
 
+@COARSE_MESH
 def test_a_symmetric_arch_stays_symmetric_where_curves_cross() -> None:
     path = arch(0.1, 300.0, 0.0).static_path(t_end=660.0)
     assert path.message == ""

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from coarse import COARSE_MESH
 
 import flexel as fx
 from flexel.examples.published import published
@@ -29,6 +30,7 @@ def tip_error(n: int, load: float) -> float:
     return abs(path[-1][f"P{n}.z"] / exact - 1)
 
 
+@COARSE_MESH
 def test_an_elastica_under_an_end_force_converges_with_the_second_order() -> None:
     errors = [tip_error(n, 1.0) for n in (2, 4, 8)]
     orders = np.log2(np.array(errors[:-1]) / errors[1:])
@@ -36,6 +38,7 @@ def test_an_elastica_under_an_end_force_converges_with_the_second_order() -> Non
     np.testing.assert_allclose(orders, 2.0, atol=0.15)
 
 
+@COARSE_MESH
 def test_an_end_moment_rolls_a_cantilever_up_to_a_circle() -> None:
     def gap(n: int) -> float:
         m = cantilever(n, EA=1e8)
@@ -48,6 +51,7 @@ def test_an_end_moment_rolls_a_cantilever_up_to_a_circle() -> None:
     assert np.log2(coarse / fine) == pytest.approx(2.0, abs=0.1)
 
 
+@COARSE_MESH
 def test_taking_all_loads_on_at_once_or_along_a_path_ends_in_the_same_equilibrium() -> None:
     m = cantilever(4)
     m.load("P4.z", 3.0)
@@ -67,6 +71,7 @@ def test_a_path_ends_at_its_end_on_fine_meshes_too() -> None:
     assert state.force("P0.z") == pytest.approx(-5.0, rel=1e-8)
 
 
+@COARSE_MESH
 def test_equilibrium_balances_the_reactions_at_the_clamp() -> None:
     m = cantilever(4)
     m.load("P4.z", 3.0)

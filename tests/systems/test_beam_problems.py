@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 import pytest
 import quoted
+from coarse import COARSE_MESH
 
 from flexel.examples import beams_data as data
 from flexel.examples import beams_dynamic as dynamic
@@ -12,6 +13,8 @@ from flexel.examples import beams_models as models
 from flexel.examples import beams_static as static
 from flexel.examples.convergence import elements_needed, order, romberg
 from flexel.results.report import Quantity
+
+pytestmark = COARSE_MESH
 
 
 def failures(rows: list[Quantity]) -> list[str]:

@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 import pytest
 from chains import chain
+from coarse import COARSE_MESH
 from scipy.optimize import brentq
 
 from flexel.base.arrays import Array
@@ -153,6 +154,7 @@ def test_own_weight_bends_a_cantilever_exactly_at_its_nodes() -> None:
         assert abs(state.force("p0.y") - 3.0 * 9.81) < 1e-9
 
 
+@COARSE_MESH
 @pytest.mark.parametrize("load", ["1", "5"])
 @pytest.mark.parametrize("second_order", [True, False])
 def test_large_deflection_converges_to_the_elastica_with_order_two(load: str, second_order: bool) -> None:

@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 import pytest
 from chains import chain
+from coarse import COARSE_MESH
 
 from flexel.base.arrays import Array
 from flexel.model import Model
@@ -95,6 +96,7 @@ def test_free_beam_falls_without_deforming(second_order: bool) -> None:
     assert np.max(np.abs(fallen)) < 1e-9
 
 
+@COARSE_MESH
 def test_energy_of_a_swinging_flexible_beam_is_conserved_and_damping_takes_it() -> None:
     for damping in (0.0, 0.02):
         section = {"EIy": 4.0, "EIz": 8.0, "GJ": 3.0}

@@ -1,0 +1,95 @@
+"""Beams beyond the range of their deformations are named, with the error and the number of elements that would do."""
+
+import warnings
+
+import numpy as np
+import pytest
+
+import flexel as fx
+from flexel.base.errors import RangeWarning
+
+EI, GJ, LENGTH = 2.0, 3.0, 1.2
+
+
+def cantilever(elements: int, planar: bool = True) -> fx.Model:
+    """A straight beam, clamped at its first node, without weight."""
+    m = fx.Model(gravity=(0, 0) if planar else (0, 0, 0))
+    for i in range(elements + 1):
+        place = LENGTH * i / elements
+        if planar:
+            m.point(f"P{i}", (place, 0.0), fixed=i == 0)
+            m.angle(f"R{i}", fixed=i == 0)
+        else:
+            m.point(f"P{i}", (place, 0.0, 0.0), fixed=i == 0)
+            m.frame(f"R{i}", fixed=i == 0)
+    bending = {"EIz": EI} if planar else {"EIy": EI, "EIz": EI, "GJ": GJ}
+    for i in range(elements):
+        ends = f"P{i}", f"R{i}", f"P{i + 1}", f"R{i + 1}"
+        m.beam(f"b{i}", *ends, mass_per_length=0.1, EA=1e7, **bending)
+    return m
+
+
+def bent(elements: int, angle: float) -> fx.Model:
+    """The cantilever under the end moment that bends a rod by an angle."""
+    m = cantilever(elements)
+    m.load(f"R{elements}", EI * angle / LENGTH)
+    return m
+
+
+def test_an_end_moment_that_bends_an_element_too_far_is_named_with_its_error() -> None:
+    """Closed form: M = EI φ/l; that of the element is smaller by φ²/6, so it bends further."""
+    with pytest.warns(RangeWarning, match=r"equilibrium: 'b0' is bent by 32° .* 5.1 % too small; 3 elements"):
+        state = bent(1, np.radians(30)).build().equilibrium()
+    phi = state["R1.angle"]
+    assert EI * phi / LENGTH * (1 - phi**2 / 6) == pytest.approx(EI * np.radians(30) / LENGTH, rel=2e-3)
+
+
+@pytest.mark.parametrize(("elements", "angle"), [(1, 14.0), (3, 40.0), (7, 90.0)])
+def test_elements_within_the_range_are_not_mentioned(elements: int, angle: float) -> None:
+    state = bent(elements, np.radians(angle)).build().equilibrium()
+    assert state[f"R{elements}.angle"] == pytest.approx(np.radians(angle), rel=0.02)
+
+
+def test_a_twist_within_one_element_is_named_with_its_error() -> None:
+    """The torsional moment is GJ/l times sin φ cos φ (closed form)."""
+    m = cantilever(1, planar=False)
+    moment, phi = 1.0, np.arcsin(2 * LENGTH / GJ) / 2
+    m.load("R1", (moment, 0.0, 0.0))
+    with pytest.warns(RangeWarning, match=r"'b0' is twisted by 27° .* 14 % too small; 2 elements"):
+        state = m.build().equilibrium()
+    assert state["b0.torsion"] == pytest.approx(LENGTH * np.sin(phi), rel=1e-9)
+
+
+def test_a_column_that_folds_within_an_element_is_named() -> None:
+    """Twelve times the buckling load of Euler's column: the path of eight elements is not that of the rod."""
+    m = cantilever(8)
+    m.load("P8", (lambda t: -12 * t * EI * (np.pi / 2 / LENGTH) ** 2, lambda t: 0.01 * t))
+    with pytest.warns(RangeWarning, match=r"static_path: 'b\d' is bent by .* more by more than 15°"):
+        m.build().static_path(t_end=1.0)
+
+
+def test_every_analysis_of_a_bent_state_says_it() -> None:
+    m = bent(1, np.radians(30))
+    s = m.build()
+    with pytest.warns(RangeWarning):
+        state = s.equilibrium()
+    for name, analysis in {
+        "linearize": lambda: s.linearize(state),
+        "vibrations": lambda: s.vibrations(state),
+        "buckling": lambda: s.buckling(state, increment={"P1.x": -1.0}),
+        "compliance": lambda: s.compliance("P1", "R1", state),
+        "simulate": lambda: s.simulate(0.01, start=state),
+    }.items():
+        with pytest.warns(RangeWarning, match=f"^{name}: 'b0' is bent") as caught:
+            analysis()
+        assert [w.filename for w in caught] == [__file__]
+
+
+def test_a_motion_says_when_a_beam_is_bent_most() -> None:
+    """Released from rest under a sudden moment a beam swings to about twice its static angle."""
+    m = bent(2, np.radians(25))
+    with pytest.warns(RangeWarning, match=r"simulate: 'b\d' is bent by \d+° at t = 0\.\d+ s"):
+        m.build().simulate(0.5, samples=101)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        bent(8, np.radians(25)).build().simulate(0.5, samples=11)
