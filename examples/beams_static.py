@@ -21,9 +21,7 @@ from flexel.examples import beams_models as models
 from flexel.examples.convergence import MeshError, converged, needed, order, order_row, romberg
 from flexel.results.report import Quantity
 
-SHEAR_NOTE = (
-    "with shear the classic deformations have a limit off by the order of EI/(GA L²)"
-)
+SHEAR_NOTE = "with shear the classic deformations have a limit off by the order of EI/(GA L²)"
 SHEARABLE = "P (1 + P/GA - P/EA) = pi² EI/(4 L²)"
 CRITICAL = "the load is where a frequency becomes 0: known to 1e-6, rounding differs between machines"
 PRINCETON_ANGLES = (0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0)  # of the load from the width [degrees]
@@ -70,9 +68,7 @@ def bend_tips(n: int, second_order: bool = True) -> Array:
 
 
 @cache
-def princeton_tips(
-    degrees: float, n: int, second_order: bool = True, rotations: str = "classic"
-) -> Array:
+def princeton_tips(degrees: float, n: int, second_order: bool = True, rotations: str = "classic") -> Array:
     """u, edgewise and flatwise deflection, twist (loads, 4) of the Princeton beam."""
     system = models.princeton(n, degrees, second_order=second_order, rotations=rotations)
     state, rows = None, []

@@ -806,11 +806,11 @@ ELEMENTS: dict[str, ElementSpec] = {
         ),
         deformations=(
             DeformationSpec("elongation", "m", False),
-            DeformationSpec("torsion", "m", False),
-            DeformationSpec("bend1", "m", False),
-            DeformationSpec("bend2", "m", False),
-            DeformationSpec("bend3", "m", False),
-            DeformationSpec("bend4", "m", False),
+            DeformationSpec("torsion", "m", False, kind="turn_x"),
+            DeformationSpec("bend1", "m", False, kind="turn_y"),
+            DeformationSpec("bend2", "m", False, kind="turn_y"),
+            DeformationSpec("bend3", "m", False, kind="turn_z"),
+            DeformationSpec("bend4", "m", False, kind="turn_z"),
         ),
         slips=(),
         kernels={

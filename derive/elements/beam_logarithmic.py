@@ -27,6 +27,15 @@ T: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary
    the shear-corrected (phi_y, phi_z) cubic shapes, torsion linear; w_p, w_q angular velocities in the triads
 U = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)"""
 
+_MODES = (
+    ("elongation", ""),
+    ("torsion", "turn_x"),
+    ("bend1", "turn_y"),
+    ("bend2", "turn_y"),
+    ("bend3", "turn_z"),
+    ("bend4", "turn_z"),
+)  # names and kinds
+
 
 def _deformations(let: Let, p: Node, q: Node, us: tuple[Matrix, Matrix], tp: Triad) -> list[Expr]:
     """The six deformations: those of a rod to second order, exact where its strains are uniform.
@@ -66,7 +75,6 @@ def _beam_logarithmic() -> Element:
     e = _deformations(let, p, q, us, tp)
     energy = kinetic_energy(let, nodes, us, tp, tq)
     centre = hermite_mean(p.x, l0 * tp[0], q.x, l0 * tq[0])
-    names = ("elongation", "torsion", "bend1", "bend2", "bend3", "bend4")
     return Element(
         name="beam_logarithmic",
         family="beam",
@@ -75,7 +83,9 @@ def _beam_logarithmic() -> Element:
         nodes=nodes,
         parameters=(L0, TP, TQ, RHOA, RHOJ, PHI_Y, PHI_Z, GRAVITY),
         let=let.entries,
-        deformations=tuple(Deformation(n, "m", expr) for n, expr in zip(names, e, strict=True)),
+        deformations=tuple(
+            Deformation(name, "m", expr, kind=kind) for (name, kind), expr in zip(_MODES, e, strict=True)
+        ),
         kinetic_energy=energy,
         potential=-RHOA.symbol * l0 * dot(GRAVITY.vector, centre),
         doc=_DOC,

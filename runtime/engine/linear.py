@@ -96,7 +96,9 @@ class Linearizer(Struct):
         s = evaluation.structure
         rows, columns, _ = evaluation.tables.law.entries
         rate = columns >= s.m
-        by = np.where(columns < 2 * s.m, columns % max(s.m, 1), columns - s.m)  # (e, ed, s, z): slips are rates
+        by = np.where(
+            columns < 2 * s.m, columns % max(s.m, 1), columns - s.m
+        )  # (e, ed, s, z): slips are rates
         stress = (rows < s.m + s.k) & (columns < 2 * s.m + s.k)
         acting = np.unique(np.concatenate([rows[stress], by[stress]]))
         values, rates = np.full((2, s.m + s.k + s.n), COMPUTED)

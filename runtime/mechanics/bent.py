@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike
 from flexel.base.arrays import Array, Index
 from flexel.base.callers import outside
 from flexel.base.errors import RangeWarning
+from flexel.mechanics.turned import warn_turned
 from flexel.structure.structure import Structure
 
 FAR = 15.0  # angle within one element [°] at which moments have errors of 1 % (bending) and 4.5 % (torsion)
@@ -61,7 +62,7 @@ class Turns:
 
 
 def warn_bent(structure: Structure, times: ArrayLike, e: Array, analysis: str) -> None:
-    """Warn, at the caller of an analysis, of elements that are bent or twisted by more than 15°.
+    """Warn, at the caller of an analysis, of elements that are bent or twisted by more than 15°, or turned near 180°.
 
     Parameters
     ----------
@@ -72,6 +73,7 @@ def warn_bent(structure: Structure, times: ArrayLike, e: Array, analysis: str) -
     analysis : str
         For the message.
     """
+    warn_turned(structure, times, e, analysis)
     turns = Turns(structure)
     if not turns.names or not len(e):
         return

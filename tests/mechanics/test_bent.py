@@ -93,3 +93,26 @@ def test_a_motion_says_when_a_beam_is_bent_most() -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         bent(8, np.radians(25)).build().simulate(0.5, samples=11)
+
+
+def test_logarithmic_rotations_are_known_below_half_a_turn_and_say_so() -> None:
+    """One element twisted by 200° has the torque of -160°, and warns; two have that of 100° each, and do not."""
+    for elements in (1, 2):
+        m = fx.Model()
+        for i in range(elements + 1):
+            m.point(f"P{i}", (LENGTH * i / elements, 0, 0), fixed=i == 0)
+            m.frame(f"R{i}", fixed=i == 0)
+        for i in range(elements):
+            ends = f"P{i}", f"R{i}", f"P{i + 1}", f"R{i + 1}"
+            m.beam(f"b{i}", *ends, EA=1.0, GJ=GJ, EIy=EI, EIz=EI, rotations="logarithmic")
+        m.hinge("turn", "R0", f"R{elements}", axis=(1, 0, 0))
+        m.prescribe("turn.angle", fx.Polynomial((0.0, np.radians(200))))
+        with warnings.catch_warnings(record=True) as said:
+            warnings.simplefilter("always")
+            s = m.build()
+            state = s.equilibrium(t=1.0) if elements == 1 else s.static_path(t_end=1.0)[-1]
+        expected = {1: -160, 2: 200}[elements]
+        assert state.section_forces("b0")[0].T == pytest.approx(GJ * np.radians(expected) / LENGTH, rel=1e-9)
+        found = [str(w.message) for w in said if issubclass(w.category, RangeWarning)]
+        assert len(found) == 2 - elements
+        assert all("'b0' are turned by 160°" in w and "may be 200° the other way" in w for w in found)
