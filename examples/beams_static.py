@@ -175,8 +175,8 @@ def large_deflections() -> list[Quantity]:
 def princeton() -> list[Quantity]:
     """The Princeton beam: displacements and twist at all angles, three loads each.
 
-    Without shear and extension the limit of the classic beam agrees with an exact rod to 1e-10 (compared once, by hand);
-    with them it is 4e-6 rad of the twist off, that of beams with logarithmic rotations is not.
+    Without shear and extension the limit of the classic beam agrees with an exact rod to 1e-10 (compared once, by
+    hand); with them it is 4e-6 rad of the twist off, that of beams with logarithmic rotations is not.
     """
     meshes, reference = (8, 16, 32), {z: _princeton_reference(z) for z in PRINCETON_ANGLES}
     everything = np.array([reference[z] for z in PRINCETON_ANGLES])

@@ -65,6 +65,28 @@ def test_the_limit_over_meshes_is_reissners_rod_in_space(sheared: bool) -> None:
     assert np.max(np.abs(romberg(ends) - exact)) < 5e-6
 
 
+@pytest.mark.parametrize(("rotations", "share"), [("classic", 0.295), ("logarithmic", 0.0)])
+def test_a_bent_beam_leans_under_a_shear_force_by_the_force_over_its_shear_stiffness(
+    rotations: str, share: float
+) -> None:
+    """The limit at the clamp, under a moment with M² = 0.295 EI GA.
+
+    The shear stiffness of the classic beam is GA - M²/EI (closed form: its energy is EI (κ cos γ)²/2 + GA γ²/2).
+    """
+    force, moment = 1e-4, 2.0
+    GA = moment**2 / 0.295
+    found = []
+    for n in (8, 16, 32):
+        m = planar_chain(n, EA=1e4, EIz=1.0, GAy=GA, rotations=rotations)
+        m.load(f"r{n}", moment)
+        m.load(f"p{n}", (0.0, force))
+        state = m.build().equilibrium()
+        x, y = state.position("p1")
+        halfway = state["r1.angle"] / 2
+        found.append(np.array([(np.arctan2(y, x) - halfway) * GA / (force * np.cos(halfway))]))
+    assert abs(romberg(found)[0] * (1 - share) - 1) < 2e-4
+
+
 def test_a_column_with_shear_buckles_at_the_load_of_the_rod() -> None:
     """Clamped and free: P (1 + P/GA - P/EA) = π² EI/(4 L²) (closed form, Reissner 1972)."""
     EA, GA = 400.0, 20.0
