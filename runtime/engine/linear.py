@@ -17,7 +17,6 @@ from flexel.generated._kernels import ffi, lib
 from flexel.structure.roles import Roles
 from flexel.structure.state import State
 
-
 COMPUTED, ZERO = int(lib.FLEXEL_COMPUTED), int(lib.FLEXEL_ZERO)
 
 

@@ -35,6 +35,7 @@ from flexel.mechanics.modes import (
 )
 from flexel.mechanics.rigid import spectrum
 from flexel.mechanics.sampled import SampledLinearization
+from flexel.mechanics.soft import Spectrum, corrected
 from flexel.mechanics.steadiness import acceleration
 from flexel.mechanics.transfer import Transfer
 from flexel.structure.state import State
@@ -117,7 +118,7 @@ class Linearization(SampledLinearization, DrawnLinearization, Portable):
             If the state accelerates.
         """
         self._check("eigenvalues")
-        return sort_eigenvalues(spectrum(self.state_matrix, len(self.dynamic))[0])
+        return sort_eigenvalues(self._spectrum()[0])
 
     @property
     def acceleration(self) -> float:
@@ -130,7 +131,13 @@ class Linearization(SampledLinearization, DrawnLinearization, Portable):
     def modes(self) -> Listing[Mode]:
         """Modes, one for each complex pair (that with positive imaginary part); sorts and warns as `eigenvalues`."""
         self._check("modes")
-        return modes_of(self.state_matrix, self.dofs + self.internal, len(self.dynamic))
+        return modes_of(self._spectrum(), self.dofs + self.internal, len(self.dynamic))
+
+    def _spectrum(self) -> Spectrum:
+        """Eigenvalues, left and right eigenvectors of the state matrix, small eigenvalues to their last digits."""
+        A = self.state_matrix
+        forces = np.hstack([self.C, self.K, self.Z])
+        return corrected(spectrum(A, len(self.dynamic)), self.M, forces, A)
 
     def reduced(self, names: Sequence[str], tolerance: float = 1e-9) -> Reduced:
         """Second-order equations of the named dynamic degrees of freedom, after a check that they are decoupled.

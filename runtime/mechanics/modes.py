@@ -14,7 +14,7 @@ from flexel.base.arrays import Array, ComplexArray, Index
 from flexel.base.errors import LinearizationError
 from flexel.base.shown import Listing
 from flexel.engine.solvers import eigenvalues, solved
-from flexel.mechanics.rigid import spectrum
+from flexel.mechanics.soft import Spectrum
 
 
 @dataclass(frozen=True)
@@ -186,12 +186,12 @@ def first_order(M: Array, forces: Sequence[Array], *rest: Sequence[Array]) -> Ar
     return A
 
 
-def modes_of(state_matrix: Array, names: tuple[str, ...], nd: int) -> Listing[Mode]:
+def modes_of(found: Spectrum, names: tuple[str, ...], nd: int) -> Listing[Mode]:
     """Modes of first-order equations for (q_d', q_d, q_k, z), one for each complex pair, sorted as the eigenvalues.
 
     The `names` are those of (q_d, q_k, z); the first `nd` of them are dynamic.
     """
-    w, left, right = spectrum(state_matrix, nd)
+    w, left, right = found
     scale = float(np.max(np.abs(w), initial=1e-300))
     keep = [i for i in range(w.size) if w[i].imag >= -1e-12 * scale]
     keep.sort(key=lambda i: (round(float(w[i].real) / scale, 11), float(w[i].imag)))

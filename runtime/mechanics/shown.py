@@ -9,6 +9,7 @@ from flexel.mechanics.modes import Mode, modes_of
 from flexel.mechanics.steadiness import UNSTEADY
 
 if TYPE_CHECKING:
+    from flexel.mechanics.soft import Spectrum
     from flexel.structure.state import State
 
 
@@ -21,8 +22,9 @@ class ShownLinearization:
         internal: tuple[str, ...]
         state: State
         dofs: property
-        state_matrix: property
         acceleration: property
+
+        def _spectrum(self) -> Spectrum: ...
 
     def __repr__(self) -> str:
         others = ((self.kinematic, "kinematic coordinate"), (self.internal, "state of laws"))
@@ -31,7 +33,7 @@ class ShownLinearization:
 
     def _repr_html_(self) -> str:
         names = (*self.dynamic, *self.kinematic, *self.internal)
-        modes = modes_of(self.state_matrix, names, len(self.dynamic))
+        modes = modes_of(self._spectrum(), names, len(self.dynamic))
         note = (
             ""
             if self.acceleration <= UNSTEADY
