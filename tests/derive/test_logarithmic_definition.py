@@ -1,7 +1,6 @@
 """Beams with logarithmic rotations: uniform strains without error, the energy of a rod with shear."""
 
 import random
-from collections.abc import Callable
 from typing import Any
 
 import mpmath
@@ -15,36 +14,14 @@ from element_numbers import (
     named,
     numbers,
     plus,
-    product,
-    rotated,
     rotation,
     unit,
 )
 from mpmath import mpf
+from test_beam_definitions import rod
 
 STILL = [1, 0, 0, 0]
 PHI_Y, PHI_Z = mpf("0.4"), mpf("0.7")
-
-
-def rod(strains: Callable[[Any], tuple[Vector, Vector]], steps: int = 40) -> tuple[Vector, Vector]:
-    """End of Reissner's rod of length 1 from the origin along x: position and quaternion (RK4).
-
-    `strains` gives (stretch and two shears) and (twist and two curvatures) at a place from 0 to 1.
-    """
-
-    def slope(s: Any, y: Vector) -> Vector:
-        stretch, curvature = strains(s)
-        turning = [c / 2 for c in product(y[3:], [0, *curvature])]
-        return [*rotated(y[3:], plus(X, stretch)), *turning]
-
-    y, h = [mpf(c) for c in (0, 0, 0, 1, 0, 0, 0)], mpf(1) / steps
-    for i in range(steps):
-        k1 = slope(i * h, y)
-        k2 = slope((i + mpf("0.5")) * h, plus(y, k1, h / 2))
-        k3 = slope((i + mpf("0.5")) * h, plus(y, k2, h / 2))
-        k4 = slope((i + 1) * h, plus(y, k3, h))
-        y = [c + h / 6 * (a + 2 * b + 2 * d + e) for c, a, b, d, e in zip(y, k1, k2, k3, k4, strict=True)]
-    return y[:3], unit(y[3:])
 
 
 def helix(turn: Vector) -> tuple[Vector, Vector]:
@@ -103,14 +80,13 @@ def test_energy_of_a_stretched_sheared_bent_and_twisted_beam_is_that_of_the_rod(
         phi_z * y1 / 6,
     )  # moment balance: M_z' = -V_y, M_y' = V_z, V = 12 E I/(phi l0^2) shear
 
-    def strains(s: Any) -> tuple[Vector, Vector]:
-        curvature = torsion, y0 + y1 * (2 * s - 1), z0 + z1 * (2 * s - 1)
-        return [small * c for c in (stretch, *shears)], [small * c for c in curvature]
+    def curvature(s: Any) -> Vector:
+        return [small * c for c in (torsion, y0 + y1 * (2 * s - 1), z0 + z1 * (2 * s - 1))]
 
     exact = EA * stretch**2 + GJ * torsion**2
     for EI, phi, shear, even, odd in ((EIz, phi_y, shears[0], z0, z1), (EIy, phi_z, shears[1], y0, y1)):
         exact += EI * (even**2 + odd**2 / 3) + (12 * EI / phi * shear**2 if sheared else 0)
-    end, turned = rod(strains)
+    end, turned = rod(curvature, stretch=[small * c for c in (stretch, *shears)])
     d = numbers(named("beam_logarithmic"), l0=1, tp=STILL, tq=STILL, phi_y=phi_y, phi_z=phi_z)
     e1, e2, *bends = d.D([0, 0, 0, *STILL, *end, *turned])
     energy = EA * e1**2 + GJ * e2**2
