@@ -153,6 +153,21 @@ class LimitSpec:
 
 
 @dataclass(frozen=True)
+class ArgumentSpec:
+    """Deformation or slip on which a law acts: its name, and its unit where it has to be this one."""
+
+    name: str
+    unit: str = ""
+
+    def __str__(self) -> str:
+        return f"{self.name} [{self.unit}]" if self.unit else self.name
+
+    def fits(self, unit: str) -> bool:
+        """Whether a quantity of that unit can be meant; an angle may count as a number."""
+        return not self.unit or self.unit.replace("rad", "1") == unit.replace("rad", "1")
+
+
+@dataclass(frozen=True)
 class LawSpec:
     """Law of so many deformations and slips, with its internal states; kernels are "law" and "tangent"."""
 
@@ -165,3 +180,4 @@ class LawSpec:
     parameters: tuple[ParameterSpec, ...]
     kernels: dict[str, KernelSpec]
     limit: LimitSpec | None = None
+    arguments: tuple[ArgumentSpec, ...] = ()

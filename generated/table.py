@@ -4,6 +4,7 @@ Written by `flexel derive`; do not edit.
 """
 
 from flexel.derive.spec import (
+    ArgumentSpec,
     DeformationSpec,
     ElementSpec,
     InternalSpec,
@@ -4862,6 +4863,9 @@ LAWS: dict[str, LawSpec] = {
                 0,
             ),
         },
+        arguments=(
+            ArgumentSpec("e_0"),
+        ),
     ),
     # law linear_2
     "linear_2": LawSpec(
@@ -4896,6 +4900,10 @@ LAWS: dict[str, LawSpec] = {
                 0,
             ),
         },
+        arguments=(
+            ArgumentSpec("e_0"),
+            ArgumentSpec("e_1"),
+        ),
     ),
     # law linear_3
     "linear_3": LawSpec(
@@ -4930,6 +4938,11 @@ LAWS: dict[str, LawSpec] = {
                 0,
             ),
         },
+        arguments=(
+            ArgumentSpec("e_0"),
+            ArgumentSpec("e_1"),
+            ArgumentSpec("e_2"),
+        ),
     ),
     # law linear_4
     "linear_4": LawSpec(
@@ -4964,6 +4977,12 @@ LAWS: dict[str, LawSpec] = {
                 0,
             ),
         },
+        arguments=(
+            ArgumentSpec("e_0"),
+            ArgumentSpec("e_1"),
+            ArgumentSpec("e_2"),
+            ArgumentSpec("e_3"),
+        ),
     ),
     # law linear_5
     "linear_5": LawSpec(
@@ -4998,6 +5017,13 @@ LAWS: dict[str, LawSpec] = {
                 0,
             ),
         },
+        arguments=(
+            ArgumentSpec("e_0"),
+            ArgumentSpec("e_1"),
+            ArgumentSpec("e_2"),
+            ArgumentSpec("e_3"),
+            ArgumentSpec("e_4"),
+        ),
     ),
     # law linear_6
     "linear_6": LawSpec(
@@ -5032,6 +5058,14 @@ LAWS: dict[str, LawSpec] = {
                 0,
             ),
         },
+        arguments=(
+            ArgumentSpec("e_0"),
+            ArgumentSpec("e_1"),
+            ArgumentSpec("e_2"),
+            ArgumentSpec("e_3"),
+            ArgumentSpec("e_4"),
+            ArgumentSpec("e_5"),
+        ),
     ),
     # law diagonal_6
     "diagonal_6": LawSpec(
@@ -5066,6 +5100,14 @@ LAWS: dict[str, LawSpec] = {
                 0,
             ),
         },
+        arguments=(
+            ArgumentSpec("e_0"),
+            ArgumentSpec("e_1"),
+            ArgumentSpec("e_2"),
+            ArgumentSpec("e_3"),
+            ArgumentSpec("e_4"),
+            ArgumentSpec("e_5"),
+        ),
     ),
     # law diagonal_12
     "diagonal_12": LawSpec(
@@ -5100,6 +5142,20 @@ LAWS: dict[str, LawSpec] = {
                 0,
             ),
         },
+        arguments=(
+            ArgumentSpec("e_0"),
+            ArgumentSpec("e_1"),
+            ArgumentSpec("e_2"),
+            ArgumentSpec("e_3"),
+            ArgumentSpec("e_4"),
+            ArgumentSpec("e_5"),
+            ArgumentSpec("e_6"),
+            ArgumentSpec("e_7"),
+            ArgumentSpec("e_8"),
+            ArgumentSpec("e_9"),
+            ArgumentSpec("e_10"),
+            ArgumentSpec("e_11"),
+        ),
     ),
     # law viscous_1
     "viscous_1": LawSpec(
@@ -5132,6 +5188,9 @@ LAWS: dict[str, LawSpec] = {
                 0,
             ),
         },
+        arguments=(
+            ArgumentSpec("s_0"),
+        ),
     ),
     # law viscous_2
     "viscous_2": LawSpec(
@@ -5164,6 +5223,10 @@ LAWS: dict[str, LawSpec] = {
                 0,
             ),
         },
+        arguments=(
+            ArgumentSpec("s_0"),
+            ArgumentSpec("s_1"),
+        ),
     ),
     # law viscous_3
     "viscous_3": LawSpec(
@@ -5196,6 +5259,11 @@ LAWS: dict[str, LawSpec] = {
                 0,
             ),
         },
+        arguments=(
+            ArgumentSpec("s_0"),
+            ArgumentSpec("s_1"),
+            ArgumentSpec("s_2"),
+        ),
     ),
     # law spring_curve
     "spring_curve": LawSpec(
@@ -5231,6 +5299,9 @@ LAWS: dict[str, LawSpec] = {
                 101,
             ),
         },
+        arguments=(
+            ArgumentSpec("e"),
+        ),
     ),
     # law damper_curve
     "damper_curve": LawSpec(
@@ -5265,6 +5336,9 @@ LAWS: dict[str, LawSpec] = {
                 101,
             ),
         },
+        arguments=(
+            ArgumentSpec("e"),
+        ),
     ),
     # law stop
     "stop": LawSpec(
@@ -5299,6 +5373,9 @@ LAWS: dict[str, LawSpec] = {
                 14,
             ),
         },
+        arguments=(
+            ArgumentSpec("e"),
+        ),
     ),
     # law vertical_tyre
     "vertical_tyre": LawSpec(
@@ -5332,6 +5409,9 @@ LAWS: dict[str, LawSpec] = {
                 9,
             ),
         },
+        arguments=(
+            ArgumentSpec("deflection", unit="m"),
+        ),
     ),
     # law linear_tyre
     "linear_tyre": LawSpec(
@@ -5369,6 +5449,14 @@ LAWS: dict[str, LawSpec] = {
                 65,
             ),
         },
+        arguments=(
+            ArgumentSpec("deflection", unit="m"),
+            ArgumentSpec("camber", unit="rad"),
+            ArgumentSpec("forward", unit="m/s"),
+            ArgumentSpec("sideways", unit="m/s"),
+            ArgumentSpec("lateral", unit="m/s"),
+            ArgumentSpec("spin", unit="rad/s"),
+        ),
     ),
     # law calspan_tyre
     "calspan_tyre": LawSpec(
@@ -5408,6 +5496,14 @@ LAWS: dict[str, LawSpec] = {
             ),
         },
         limit=LimitSpec("A", 2, "friction and stiffnesses keep their values beyond"),
+        arguments=(
+            ArgumentSpec("deflection", unit="m"),
+            ArgumentSpec("camber", unit="rad"),
+            ArgumentSpec("forward", unit="m/s"),
+            ArgumentSpec("sideways", unit="m/s"),
+            ArgumentSpec("lateral", unit="m/s"),
+            ArgumentSpec("spin", unit="rad/s"),
+        ),
     ),
     # law magic_formula
     "magic_formula": LawSpec(
@@ -5453,6 +5549,15 @@ LAWS: dict[str, LawSpec] = {
                 205,
             ),
         },
+        arguments=(
+            ArgumentSpec("deflection", unit="m"),
+            ArgumentSpec("camber", unit="rad"),
+            ArgumentSpec("forward", unit="m/s"),
+            ArgumentSpec("rolling", unit="rad/s"),
+            ArgumentSpec("longitudinal", unit="m/s"),
+            ArgumentSpec("lateral", unit="m/s"),
+            ArgumentSpec("spin", unit="rad/s"),
+        ),
     ),
     # law hertz
     "hertz": LawSpec(
@@ -5487,6 +5592,9 @@ LAWS: dict[str, LawSpec] = {
                 22,
             ),
         },
+        arguments=(
+            ArgumentSpec("e_0"),
+        ),
     ),
     # law hertz_coulomb_1
     "hertz_coulomb_1": LawSpec(
@@ -5523,6 +5631,10 @@ LAWS: dict[str, LawSpec] = {
                 43,
             ),
         },
+        arguments=(
+            ArgumentSpec("e_0", unit="m"),
+            ArgumentSpec("s_0", unit="m/s"),
+        ),
     ),
     # law hertz_coulomb_2
     "hertz_coulomb_2": LawSpec(
@@ -5559,6 +5671,11 @@ LAWS: dict[str, LawSpec] = {
                 58,
             ),
         },
+        arguments=(
+            ArgumentSpec("e_0", unit="m"),
+            ArgumentSpec("s_0", unit="m/s"),
+            ArgumentSpec("s_1", unit="m/s"),
+        ),
     ),
     # law hertz_bristle_1
     "hertz_bristle_1": LawSpec(
@@ -5599,6 +5716,10 @@ LAWS: dict[str, LawSpec] = {
                 61,
             ),
         },
+        arguments=(
+            ArgumentSpec("e_0", unit="m"),
+            ArgumentSpec("s_0", unit="m/s"),
+        ),
     ),
     # law hertz_bristle_2
     "hertz_bristle_2": LawSpec(
@@ -5640,6 +5761,11 @@ LAWS: dict[str, LawSpec] = {
                 94,
             ),
         },
+        arguments=(
+            ArgumentSpec("e_0", unit="m"),
+            ArgumentSpec("s_0", unit="m/s"),
+            ArgumentSpec("s_1", unit="m/s"),
+        ),
     ),
     # law journal
     "journal": LawSpec(
@@ -5675,6 +5801,11 @@ LAWS: dict[str, LawSpec] = {
                 39,
             ),
         },
+        arguments=(
+            ArgumentSpec("e_0", unit="m"),
+            ArgumentSpec("e_1", unit="m"),
+            ArgumentSpec("e_2", unit="rad"),
+        ),
     ),
     # law friction
     "friction": LawSpec(
@@ -5708,6 +5839,9 @@ LAWS: dict[str, LawSpec] = {
                 10,
             ),
         },
+        arguments=(
+            ArgumentSpec("e"),
+        ),
     ),
     # law slip_friction
     "slip_friction": LawSpec(
@@ -5741,6 +5875,9 @@ LAWS: dict[str, LawSpec] = {
                 10,
             ),
         },
+        arguments=(
+            ArgumentSpec("s"),
+        ),
     ),
     # law limits
     "limits": LawSpec(
@@ -5776,6 +5913,9 @@ LAWS: dict[str, LawSpec] = {
                 26,
             ),
         },
+        arguments=(
+            ArgumentSpec("e"),
+        ),
     ),
     # law loose_journal
     "loose_journal": LawSpec(
@@ -5812,6 +5952,11 @@ LAWS: dict[str, LawSpec] = {
                 87,
             ),
         },
+        arguments=(
+            ArgumentSpec("e_0", unit="m"),
+            ArgumentSpec("e_1", unit="m"),
+            ArgumentSpec("e_2", unit="rad"),
+        ),
     ),
     # law loose_ball
     "loose_ball": LawSpec(
@@ -5846,6 +5991,11 @@ LAWS: dict[str, LawSpec] = {
                 100,
             ),
         },
+        arguments=(
+            ArgumentSpec("e_0", unit="m"),
+            ArgumentSpec("e_1", unit="m"),
+            ArgumentSpec("e_2", unit="m"),
+        ),
     ),
     # law held
     "held": LawSpec(
@@ -5878,6 +6028,9 @@ LAWS: dict[str, LawSpec] = {
                 0,
             ),
         },
+        arguments=(
+            ArgumentSpec("e"),
+        ),
     ),
     # law slip_held
     "slip_held": LawSpec(
@@ -5910,6 +6063,9 @@ LAWS: dict[str, LawSpec] = {
                 0,
             ),
         },
+        arguments=(
+            ArgumentSpec("s"),
+        ),
     ),
     # law memory
     "memory": LawSpec(

@@ -131,6 +131,8 @@ def verdict(case: Case) -> str:
         try:
             _, annotation = called(case)
         except fx.FlexelError as error:
+            if any(raw in str(error) for raw in ("np.float64(", "np.int64(", "np.bool")):
+                return f"shows a NumPy object: {error!s}"[:300]
             return "" if len(str(error)) > 20 else f"says only {error!s}"
         except Exception as error:
             if isinstance(error, TypeError) and NO_OPTION in str(error):

@@ -237,7 +237,8 @@ MODELS: dict[str, Callable[[], Valid]] = {
         lambda: spare("P"), "truss", name="z", p="A", q="P", stiffness=1e3, damping=1.0, mass_per_length=0.1
     ),
     "Model.tyre": declared(
-        hub, "tyre", name="z", hub="P", frame="F", radius=1.0, axle=(0, 1, 0), road=fx.Waves(0.01, 1.0)
+        hub, "tyre", name="z", hub="P", frame="F", radius=1.0, axle=(0, 1, 0), road=fx.Waves(0.01, 1.0),
+        law="vertical_tyre", parameters={"stiffness": 1e5, "damping": 10.0},
     ),
     "Model.warping": declared(spatial, "warping", name="z", fixed=True),
     "Model.wheel": declared(

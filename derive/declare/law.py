@@ -72,6 +72,8 @@ class Law:
         Named intermediates, each in terms of the arguments, parameters and earlier ones.
     limit : Limit, optional
         The limit of its data.
+    units : tuple of str, (m + k,), optional
+        Units of the deformations and slips; empty text for one of any unit.  None are given by default.
 
     Raises
     ------
@@ -97,6 +99,7 @@ class Law:
     states: tuple[Internal, ...] = ()
     let: tuple[tuple[Symbol, Expr], ...] = ()
     limit: Limit | None = None
+    units: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         owner = f"law '{self.name}'"
@@ -111,6 +114,10 @@ class Law:
         check_unique(owner, [p.name for p in self.parameters])
         if not len(self.e) == len(self.ed) == len(self.sigma) or len(self.s) != len(self.tau):
             raise ElementError(f"{owner}: give a stress for each deformation (with its rate) and slip")
+        if self.units and len(self.units) != len(self.e) + len(self.s):
+            raise ElementError(
+                f"{owner}: give a unit for each deformation and slip, '' for any, or none at all"
+            )
         if self.limit is not None and self.limit.parameter not in self.parameter_symbols:
             raise ElementError(
                 f"{owner}: the limit {self.limit.parameter} is not one of its parameters; declare it"

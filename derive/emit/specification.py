@@ -5,6 +5,7 @@ from flexel.derive.declare.winding import period_terms
 from flexel.derive.declare.words import MATRIX_SIGNS
 from flexel.derive.program.kernels import Derived
 from flexel.derive.spec import (
+    ArgumentSpec,
     DeformationSpec,
     ElementSpec,
     InternalSpec,
@@ -49,12 +50,18 @@ def law_spec(law: Law, derived: Derived, digest: str) -> LawSpec:
         parameters=_parameters(law.parameters),
         kernels=_kernels(derived),
         limit=_limit(law),
+        arguments=_arguments(law),
     )
 
 
 def _deformation(d: Deformation, parameters: tuple[Parameter, ...]) -> DeformationSpec:
     period = tuple(TermSpec(*term) for term in period_terms(d, parameters))
     return DeformationSpec(d.name, d.unit, d.free, period, d.kind, d.kinked)
+
+
+def _arguments(law: Law) -> tuple[ArgumentSpec, ...]:
+    names = [symbol.name for symbol in (*law.e, *law.s)]
+    return tuple(map(ArgumentSpec, names, law.units or [""] * len(names)))
 
 
 def _limit(law: Law) -> LimitSpec | None:

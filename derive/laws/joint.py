@@ -88,6 +88,7 @@ def _loose_ball() -> Law:
         energy=STIFFNESS.symbol * depth**2 / 2,
         source=_CONTACT,
         let=let.entries,
+        units=("m", "m", "m"),
     )
 
 
@@ -111,6 +112,7 @@ def _loose_journal() -> Law:
         energy=k * depth**2 / 2,
         source=_CONTACT + "; Coulomb's friction, regularized",
         let=let.entries,
+        units=("m", "m", "rad"),
     )
 
 

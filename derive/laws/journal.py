@@ -41,6 +41,7 @@ def _journal() -> Law:
         energy=k * (e[0] ** 2 + e[1] ** 2) / 2,
         source="Coulomb's friction on a journal, regularized",
         let=let.entries,
+        units=("m", "m", "rad"),
     )
 
 

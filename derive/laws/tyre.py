@@ -22,6 +22,8 @@ CAMBER, CAMBER_RATE = symbol("camber"), symbol("camber_rate")
 FORWARD, SIDEWAYS, ROLLING = symbol("forward"), symbol("sideways"), symbol("rolling")
 LONGITUDINAL, LATERAL, SPIN = symbol("longitudinal"), symbol("lateral"), symbol("spin")
 SIDE_SLIPS = (FORWARD, SIDEWAYS, LATERAL, SPIN)
+UNITS = {PRESS: "m", CAMBER: "rad", FORWARD: "m/s", SIDEWAYS: "m/s", ROLLING: "rad/s"}
+UNITS |= {LONGITUDINAL: "m/s", LATERAL: "m/s", SPIN: "rad/s"}
 
 _LOAD_DOC = "Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0"
 _SIDE_DOC = (
@@ -29,6 +31,10 @@ _SIDE_DOC = (
     "slip angle alpha = atan(sideways/max(|forward|, standstill)), of the wheel's centre\n"
     "tau(lateral) = -fade Fy, tau(spin) = -fade Mz;  fade = 3 u^2 - 2 u^3, u = min(1, |forward|/standstill)"
 )
+
+
+def _units(*arguments: Symbol) -> tuple[str, ...]:
+    return tuple(UNITS[argument] for argument in arguments)
 
 
 def _load(let: Let) -> tuple[Symbol, Expr]:
@@ -71,6 +77,7 @@ def _side_law(
         source=source,
         let=let.entries,
         limit=limit,
+        units=_units(PRESS, CAMBER, *SIDE_SLIPS),
     )
 
 
@@ -89,6 +96,7 @@ def _vertical() -> Law:
         energy=energy,
         source="point-contact tyre with lift-off",
         let=let.entries,
+        units=_units(PRESS),
     )
 
 
@@ -222,6 +230,7 @@ def _magic_formula() -> Law:
         source="Pacejka, Tyre and Vehicle Dynamics, similarity method and single contact point transient model",
         states=states,
         let=let.entries,
+        units=_units(PRESS, CAMBER, FORWARD, ROLLING, LONGITUDINAL, LATERAL, SPIN),
     )
 
 

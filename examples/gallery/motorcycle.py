@@ -21,15 +21,14 @@ m.revolute("steer", "machine", "fork", at=(1.1, 0, 0.9), axis=(0.453, 0, -0.892)
 m.cardan_chain("yaw", "lean", "pitch", body="machine")
 law: dict[str, Any] = {"stiffness": 180e3, "damping": 250, "friction": (1.2, -0.1), "slip_stiffness": 15}
 law |= {"camber_stiffness": 0.8, "shape": (1.5, -0.5), "trail": (0.02, 5), "relaxation": (0.12, 0.22)}
-parts = ("deflection", "camber", "forward", "rolling", "longitudinal", "lateral", "spin")
 wheels = ("rear", "machine", 0, 0.31, 1500, 0.09, 18), ("front", "fork", 1.45, 0.3, 1300, 0.06, 14)
 for end, body, x, R, load, crown, mass in wheels:
     hub = (x, 0, R - 0.005)
     wheel = m.rigid_body(end, hub, mass=mass, inertia=(mass / 35, mass / 20, mass / 35))
     m.revolute(f"{end} spin", body, end, at=hub, axis=(0, 1, 0))
-    m.tyre(f"{end} tyre", wheel.point, wheel.frame, radius=R, axle=(0, 1, 0), crown=crown)
     own = law | {"load0": load, "rolling_radius": R - 0.004, "cornering": (load / 120, 2)}
-    m.attach("magic_formula", [f"{end} tyre.{z}" for z in parts], name=f"{end} law", **own)
+    own |= {"radius": R, "axle": (0, 1, 0), "crown": crown}
+    m.tyre(f"{end} tyre", wheel.point, wheel.frame, law="magic_formula", **own)
 angles = [f"{z}.angle" for z in ("yaw", "lean", "pitch", "steer", "rear spin", "front spin")]
 m.independent("machine.x", "machine.y", "machine.z", *angles)
 s = m.build()

@@ -8,15 +8,21 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from flexel.base.arguments import not_negative, number, positive, vector
+from flexel.base.arguments import not_negative, number, positive, unknown, vector
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.base.quaternions import matrix, unit
-from flexel.declare.declarations import Declarations
+from flexel.base.transactions import whole_or_nothing
+from flexel.declare.laws import Laws
+from flexel.generated.table import LAWS
 from flexel.structure.nodes import Node
+
+if TYPE_CHECKING:
+    from flexel.derive.compile import CompiledLaw
 
 Vector = Sequence[float] | Array
 UP = (0.0, 0.0, 1.0)
@@ -76,7 +82,7 @@ class Waves:
         return float(self.height + self.amplitude * waves)
 
 
-class Wheels(Declarations):
+class Wheels(Laws):
     """Wheels and tyres."""
 
     def wheel(
@@ -134,6 +140,7 @@ class Wheels(Declarations):
             values |= rounded
         self._place(name, "toroidal_wheel" if "crown" in values else "wheel", nodes, values)
 
+    @whole_or_nothing
     def tyre(
         self,
         name: str,
@@ -146,6 +153,8 @@ class Wheels(Declarations):
         height: float = 0.0,
         crown: float = 0.0,
         road: Waves | None = None,
+        law: str | CompiledLaw | None = None,
+        **parameters: Any,
     ) -> None:
         """Put a compliant tyre on a wheel; all its quantities are free until laws act on them.
 
@@ -163,11 +172,17 @@ class Wheels(Declarations):
             Radius of the tyre's cross section [m]; zero makes a thin disc.
         road : Waves, optional
             A road with waves instead of the plane.
+        law : str or CompiledLaw, optional
+            A law of tyres, such as ``"linear_tyre"``, whose arguments are quantities of the tyre by their names; more
+            laws are added by `attach` and `law`.
+        **parameters
+            Value of each of the law's parameters.
 
         Raises
         ------
         ModelError
-            If the axle is normal to the road, the hub is not above it, or a plane and waves are both given.
+            If the law has other arguments, or its parameters are not those given; if the axle is normal to the road,
+            the hub is not above it, or a plane and waves are both given.
 
         Notes
         -----
@@ -189,6 +204,32 @@ class Wheels(Declarations):
         values |= _plane(owner, normal, height) if road is None else road.parameters(owner)
         _check_above(owner, nodes[0].x0, values, road)
         self._place(name, "tyre" if road is None else "tyre_on_road", nodes, values)
+        self._tyre_law(name, owner, law, parameters)
+
+    def _tyre_law(
+        self, name: str, owner: str, law: str | CompiledLaw | None, parameters: Mapping[str, Any]
+    ) -> None:
+        """Let a law act on the quantities of a tyre that have the names of its arguments."""
+        if law is None:
+            if parameters:
+                raise ModelError(
+                    f"{owner}: {', '.join(parameters)} given without a law; name one, law='linear_tyre'"
+                )
+            return
+        spec = LAWS.get(law) if isinstance(law, str) else getattr(law, "spec", None)
+        if spec is None:
+            raise ModelError(f"{owner}: {unknown(str(law), LAWS, 'law')}")
+        own = self.instances[name]
+        there = [quantity.rpartition(".")[2] for quantity in (*own.deformations, *own.slips)]
+        for wrong in [argument for argument in spec.arguments if argument.name not in there]:
+            raise ModelError(
+                f"{owner}: law '{spec.name}' acts on {wrong}; a tyre has {', '.join(there)}: use m.attach or m.law"
+            )
+        on = {argument.name: f"{name}.{argument.name}" for argument in spec.arguments}
+        if isinstance(law, str):
+            self.attach(law, on, **parameters)
+        else:
+            self.law(on, law, **parameters)
 
     def axle_slip(
         self,

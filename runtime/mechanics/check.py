@@ -22,6 +22,7 @@ from flexel.mechanics.suspects import suspects
 from flexel.structure.moment import Moment
 from flexel.structure.structure import Structure, assemble_structure
 
+SHOWN = 8  # names in a list
 POOR = 10.0  # reach of the degrees of freedom, relative to that of the best, from which a note is given
 
 
@@ -125,11 +126,11 @@ def _built(build: Callable[[], Core], redundant: bool) -> Attempt:
 
 def _freedom(system: Core) -> Iterator[Finding]:
     count = len(system.dynamic)
-    names = f": {quoted(list(system.dynamic))}" if count else ""
+    names = f": {quoted(list(system.dynamic), SHOWN)}" if count else ""
     yield Finding("note", "freedom", f"{count} degree(s) of freedom{names}")
     if system.kinematic:
         yield Finding(
-            "note", "freedom", f"{len(system.kinematic)} kinematic: {quoted(list(system.kinematic))}"
+            "note", "freedom", f"{len(system.kinematic)} kinematic: {quoted(list(system.kinematic), SHOWN)}"
         )
 
 

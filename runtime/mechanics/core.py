@@ -16,6 +16,7 @@ import numpy as np
 
 from flexel.base.arguments import LARGEST, number, positive, vector
 from flexel.base.arrays import Array, Index
+from flexel.base.shown import listed
 from flexel.engine.evaluate import Evaluation
 from flexel.mechanics import dynamics, states
 from flexel.mechanics.bent import warn_bent
@@ -152,10 +153,11 @@ class Core:
 
     def __repr__(self) -> str:
         c = self.counts
+        own, rolling = (f" ({listed(names)})" if names else "" for names in (self.dynamic, self.kinematic))
         nd = c["degrees_of_freedom"]
         return (
-            f"System({nd} {'degree' if nd == 1 else 'degrees'} of freedom {self.dynamic}, {c['kinematic_coordinates']} "
-            f"kinematic coordinates {self.kinematic}, {c['coordinates']} coordinates, {c['deformations']} deformations)"
+            f"System({nd} {'degree' if nd == 1 else 'degrees'} of freedom{own}, {c['kinematic_coordinates']} kinematic "
+            f"coordinates{rolling}, {c['coordinates']} coordinates, {c['deformations']} deformations)"
         )
 
     def faster(self, factor: float) -> Self:

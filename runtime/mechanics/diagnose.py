@@ -21,6 +21,7 @@ from flexel.base.arguments import names as checked_names
 from flexel.base.arrays import Array, Index
 from flexel.base.blas import one_thread
 from flexel.base.errors import ConstraintError, ModelError
+from flexel.base.shown import listed
 from flexel.engine.solvers import factorize
 from flexel.mechanics.kinematics import Kinematics
 from flexel.mechanics.preference import heaviness, preferences
@@ -54,9 +55,9 @@ def largest(structure: Structure, rows: Index, vector: Array, limit: int = 6) ->
     return [name for name in names if not structure.is_norm(name)][:limit] or names[:limit]
 
 
-def quoted(names: list[str]) -> str:
-    """Names in quotes, separated by commas."""
-    return ", ".join(f"'{name}'" for name in names)
+def quoted(names: list[str], most: int | None = None) -> str:
+    """Names in quotes, separated by commas; the first ones if there are more than `most`."""
+    return listed([f"'{name}'" for name in names], len(names) if most is None else most)
 
 
 def check_redundancy(structure: Structure, roles: Roles, J: Array, rows: Index, what: str) -> None:

@@ -16,6 +16,8 @@ from flexel.base.shown import Listing
 from flexel.engine.solvers import eigenvalues, solved
 from flexel.mechanics.soft import Spectrum
 
+NAMED = 2  # degrees of freedom in the name of a mode
+
 
 @dataclass(frozen=True)
 class Mode:
@@ -58,9 +60,11 @@ class Mode:
 
     @property
     def name(self) -> str:
-        """The degrees of freedom with the largest participation, joined by ``+``."""
-        order = sorted(self.participation, key=lambda z: -self.participation[z])
-        return "+".join(z for z in order if self.participation[z] >= 0.25 * self.participation[order[0]])
+        """The two degrees of freedom with the largest participation, and how many others have a quarter of it."""
+        order = sorted(self.participation, key=lambda name: -self.participation[name])
+        large = [name for name in order if self.participation[name] >= 0.25 * self.participation[order[0]]]
+        others = [f"{len(large) - NAMED} more"] if len(large) > NAMED else []
+        return "+".join([*large[:NAMED], *others])
 
     @property
     def omega(self) -> float:

@@ -36,7 +36,7 @@ def run(*arguments: object) -> Result:
 def test_a_model_is_built_simulated_and_saved(tmp_path: Path) -> None:
     result = run(written(tmp_path, PENDULUM), "--out", tmp_path / "results")
     assert result.exit_code == 0, result.output
-    assert "1 degree of freedom ('pivot.angle',)" in result.stdout and "reached the end" in result.stdout
+    assert "1 degree of freedom (pivot.angle)" in result.stdout and "reached the end" in result.stdout
     motion = fx.load(tmp_path / "results" / "pendulum.npz")
     assert len(motion) == 11 and motion.t[-1] == 0.5
     assert np.ptp(motion.energy["total"]) < 1e-8

@@ -82,3 +82,52 @@ def test_parameters_of_tyres_without_physical_sense_are_refused(
     values = {"stiffness": K, "damping": 0.0, **own[law], **change}
     with pytest.raises(fx.ModelError, match=f"law '{law}' on 'tyre.deflection'.*: parameter {message}"):
         wheel().attach(law, on, **values)
+
+
+def test_arguments_of_a_law_are_compared_with_the_units_of_quantities() -> None:
+    m = wheel()
+    on = ["tyre.camber", "tyre.deflection", *MAGIC_ON[2:]]
+    with pytest.raises(
+        fx.ModelError,
+        match=r"'tyre.camber' is in rad, which does not fit argument deflection \[m\]; give in this order: deflection "
+        r"\[m\], camber \[rad\], forward \[m/s\], rolling \[rad/s\]",
+    ):
+        m.attach("magic_formula", on, **MAGIC)
+    with pytest.raises(
+        fx.ModelError, match=r"6 names; give 2 deformations, then 5 slips.*: deflection \[m\], camber"
+    ):
+        m.attach("magic_formula", MAGIC_ON[:-1], **MAGIC)
+
+
+def test_arguments_of_a_law_are_named() -> None:
+    m = wheel()
+    on = {"deflection": "tyre.deflection", "camber": "tyre.camber"}
+    with pytest.raises(
+        fx.ModelError, match=r"law 'linear_tyre': arguments are missing: forward \[m/s\], .*name a quantity"
+    ):
+        m.attach("linear_tyre", on, stiffness=K)
+    with pytest.raises(fx.ModelError, match=r"law 'linear_tyre': unknown argument 'cambre'.*camber\?"):
+        m.attach("linear_tyre", on | {"cambre": "tyre.camber"}, stiffness=K)
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"law": "linear_tire"}, r"tyre 'A': unknown law 'linear_tire'.*linear_tyre"),
+        (
+            {"law": "friction", "limit": 1.0, "speed": 1.0},
+            r"tyre 'A': law 'friction' acts on e; a tyre has deflection",
+        ),
+        ({"stiffness": K}, r"tyre 'A': stiffness given without a law; name one"),
+        ({"law": "vertical_tyre", "stiffness": K}, r"parameters are missing: damping"),
+    ],
+)
+def test_a_law_that_is_not_that_of_a_tyre_is_refused_and_the_model_is_as_before(
+    options: dict[str, Any], message: str
+) -> None:
+    m = fx.Model()
+    m.point("hub", (0, 0, R))
+    m.frame("wheel")
+    with pytest.raises(fx.ModelError, match=message):
+        m.tyre("A", "hub", "wheel", radius=R, axle=(0, 1, 0), **options)
+    assert not m.instances and not m.laws

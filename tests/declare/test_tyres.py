@@ -1,10 +1,13 @@
 """Tyres and rolling wheels with a crown: geometry, forces, laws, and a torus rolling as its own equations say."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 from wheels import CALSPAN, MAGIC, MAGIC_ON, PARTS, SIDE, H, K, R, wheel
 
 import flexel as fx
+from flexel.base.quaternions import matrix
 
 
 def moving(m: fx.Model, velocity: tuple[float, float, float], omega: tuple[float, float, float]) -> fx.State:
@@ -236,3 +239,26 @@ def test_longitudinal_force_takes_from_the_side_force() -> None:
     total = np.hypot(both[1].force("tyre.lateral"), both[1].force("tyre.longitudinal"))
     load = both[1].force("tyre.deflection")
     assert total < (1.0 - 0.1 * (load / 4000.0 - 1)) * load
+
+
+def test_a_tyre_takes_its_law_in_one_call() -> None:
+    """The same forces as with the quantities in the law's order, by its arguments, and in the call of the tyre."""
+    found, lean = [], fx.turn((1, 0, 0), 0.1)
+    for way in ("order", "names", "tyre"):
+        m = fx.Model(gravity=(0, 0, -9.81))
+        m.point("hub", (0, 0, H))
+        m.frame("wheel", lean)
+        m.body("body", "hub", "wheel", mass=20.0, inertia=(0.5, 0.9, 0.5))
+        law = MAGIC | {"stiffness": K, "damping": 50.0}
+        own: dict[str, Any] = {"law": "magic_formula", **law} if way == "tyre" else {}
+        m.tyre("tyre", "hub", "wheel", radius=R, axle=matrix(lean)[:, 1], **own)
+        if way == "order":
+            m.attach("magic_formula", MAGIC_ON, **law)
+        elif way == "names":
+            m.attach("magic_formula", {name.partition(".")[2]: name for name in reversed(MAGIC_ON)}, **law)
+        m.angular_velocity("wheel")
+        found.append(moving(m, (7.0, 0.5, 0), (0, 20.0, 0)))
+    for state in found[1:]:
+        np.testing.assert_array_equal(state.a, found[0].a)
+    assert np.abs(found[0].a).max() > 1.0
+    assert tuple(found[0].structure.internal) == ("tyre.kappa", "tyre.tan_alpha")
