@@ -63,9 +63,9 @@ def bend(n: int, second_order: bool = True) -> fx.System:
     return m.build()
 
 
-def princeton(n: int, degrees: float, second_order: bool = True) -> fx.System:
-    """The Princeton beam with a tip load t at an angle from the width."""
-    m = clamped(straight(n, data.PRINCETON_LENGTH), second_order=second_order, **data.PRINCETON_SECTION)
+def princeton(n: int, degrees: float, **options: Any) -> fx.System:
+    """The Princeton beam with a tip load t at an angle from the width; options of its beams."""
+    m = clamped(straight(n, data.PRINCETON_LENGTH), **options, **data.PRINCETON_SECTION)
     c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
     m.load(f"P{n}", (0, fx.Polynomial((0.0, c)), fx.Polynomial((0.0, s))))
     return m.build()

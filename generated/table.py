@@ -783,6 +783,100 @@ ELEMENTS: dict[str, ElementSpec] = {
         picture="beam",
         span="beam_span",
     ),
+    # element beam_logarithmic
+    "beam_logarithmic": ElementSpec(
+        name="beam_logarithmic",
+        digest="2d1c9e96861f9716",
+        doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nturn: rotation vector of R(u_p)'R(u_q), below half a turn; R_m = R(u_p) exp(turn/2), the triad halfway\ns = 1/24 - turn.turn/1920 + (turn.turn)^2/322560\nstraight = R_m'(xq - xp) - l0 s turn x (turn x (1, 0, 0)): the chord without what uniform strains do to it\nbow_z = straight_y/(phi_y l0 + |straight|),  bow_y = -straight_z/(phi_z l0 + |straight|):\n    mean angles of the sections about z and y from the triad halfway; the shear angles are phi_y bow_z, -phi_z bow_y\nbent = turn + turn x (0, bow_y, bow_z)\nelongation = straight_x + l0 ((3/5 + phi_z) bow_y^2 + (3/5 + phi_y) bow_z^2) - l0\ntorsion = l0 bent_x\nbend1, bend2 = l0 (bent_y/2 + (1 + phi_z) bow_y), l0 (bent_y/2 - (1 + phi_z) bow_y)\nbend3, bend4 = l0 (bent_z/2 + (1 + phi_y) bow_z), l0 (bent_z/2 - (1 + phi_y) bow_z)\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_y, phi_z) cubic shapes, torsion linear; w_p, w_q angular velocities in the triads\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
+        source="Simo 1985, Comput. Methods Appl. Mech. Eng. 49 (strains of a rod); Crisfield 1990 (triad halfway)",
+        nodes=(
+            NodeSpec("p", "point"),
+            NodeSpec("rp", "frame"),
+            NodeSpec("q", "point"),
+            NodeSpec("rq", "frame"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("tp", 4, "1", "unit quaternion from the body frame of node p to the element's triad there"),
+            ParameterSpec("tq", 4, "1", "unit quaternion from the body frame of node q to the element's triad there"),
+            ParameterSpec("rhoA", 1, "kg/m", "mass per length"),
+            ParameterSpec("rhoJ", 3, "kg m", "mass moments of inertia per length about the axes of the section's triad"),
+            ParameterSpec("phi_y", 1, "1", "shear number of the deflection in y, 12 E Iz/(k G A l0^2)"),
+            ParameterSpec("phi_z", 1, "1", "shear number of the deflection in z, 12 E Iy/(k G A l0^2)"),
+            ParameterSpec("gravity", 3, "m/s^2", "acceleration of gravity"),
+        ),
+        deformations=(
+            DeformationSpec("elongation", "m", False),
+            DeformationSpec("torsion", "m", False, kind="turn_x"),
+            DeformationSpec("bend1", "m", False, kind="turn_y"),
+            DeformationSpec("bend2", "m", False, kind="turn_y"),
+            DeformationSpec("bend3", "m", False, kind="turn_z"),
+            DeformationSpec("bend4", "m", False, kind="turn_z"),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (6,), tuple(range(6))),
+                    OutputSpec("De", (6, 14), tuple(range(84))),
+                    OutputSpec("V", (0, 14), ()),
+                ),
+                2243,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (6,), tuple(range(6))),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                1225,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (6, 14), tuple(range(84))),
+                ),
+                5585,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (6, 14), tuple(range(84))),
+                    OutputSpec("Psi_v", (6, 14), tuple(range(84))),
+                ),
+                17626,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (14, 14), tuple(range(196))),
+                ),
+                6112,
+            ),
+            "inertia": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("M", (14, 14), tuple(range(196))),
+                    OutputSpec("h", (14,), tuple(range(14))),
+                    OutputSpec("f", (14,), tuple(range(14))),
+                    OutputSpec("U", (1,), (0,)),
+                ),
+                2437,
+            ),
+            "tangent": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("R_x", (14, 14), tuple(range(196))),
+                    OutputSpec("R_v", (14, 14), tuple(range(196))),
+                ),
+                10147,
+            ),
+        },
+        family="beam",
+        picture="beam",
+        span="beam_span",
+    ),
     # element wheel
     "wheel": ElementSpec(
         name="wheel",
@@ -2138,6 +2232,96 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("R_v", (6, 6), tuple(range(36))),
                 ),
                 745,
+            ),
+        },
+        family="beam",
+        picture="beam",
+        span="planar_beam_span",
+    ),
+    # element planar_beam_logarithmic
+    "planar_beam_logarithmic": ElementSpec(
+        name="planar_beam_logarithmic",
+        digest="ffac77bb15f5efbb",
+        doc="ex, ey: directions of the element at p (angle_p + alpha0) and q (angle_q + alphaq0)\nturn = angle_q + alphaq0 - angle_p - alpha0;  along, across: components of xq - xp on the direction halfway\nstraight = (along + l0 turn^2 (1/24 - turn^2/1920 + turn^4/322560), across): the chord without what uniform bending\n      takes from it\nbow = across/(phi_z l0 + |straight|): mean angle of the sections from the direction halfway; the shear angle is\n      phi_z bow\nelongation = straight_x + l0 (3/5 + phi_z) bow^2 - l0\nbend1, bend2 = l0 (turn/2 + (1 + phi_z) bow), l0 (turn/2 - (1 + phi_z) bow)\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_z) cubic shapes\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
+        source="Reissner 1972, ZAMP 23 (strains of a rod); corotational directions as Crisfield 1990",
+        nodes=(
+            NodeSpec("p", "planar_point"),
+            NodeSpec("rp", "planar_angle"),
+            NodeSpec("q", "planar_point"),
+            NodeSpec("rq", "planar_angle"),
+        ),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("alpha0", 1, "rad", "initial direction of the element minus the angle of node p"),
+            ParameterSpec("alphaq0", 1, "rad", "initial direction of the element minus the angle of node q"),
+            ParameterSpec("rhoA", 1, "kg/m", "mass per length"),
+            ParameterSpec("rhoJ", 1, "kg m", "mass moment of inertia of the section per length"),
+            ParameterSpec("phi_z", 1, "1", "shear number of the deflection in the plane, 12 E I/(k G A l0^2)"),
+            ParameterSpec("gravity", 2, "m/s^2", "acceleration of gravity"),
+        ),
+        deformations=(
+            DeformationSpec("elongation", "m", False),
+            DeformationSpec("bend1", "m", False),
+            DeformationSpec("bend2", "m", False),
+        ),
+        slips=(),
+        kernels={
+            "position": KernelSpec(
+                ("x", "p"),
+                (
+                    OutputSpec("e", (3,), (0, 1, 2)),
+                    OutputSpec("De", (3, 6), tuple(range(18))),
+                    OutputSpec("V", (0, 6), ()),
+                ),
+                103,
+            ),
+            "acceleration": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("g", (3,), (0, 1, 2)),
+                    OutputSpec("gs", (0,), ()),
+                ),
+                156,
+            ),
+            "rates": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("Phi_x", (3, 6), tuple(range(18))),
+                ),
+                233,
+            ),
+            "kinematics": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("Psi_x", (3, 6), tuple(range(18))),
+                    OutputSpec("Psi_v", (3, 6), tuple(range(18))),
+                ),
+                731,
+            ),
+            "stiffness": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("K", (6, 6), tuple(range(36))),
+                ),
+                219,
+            ),
+            "inertia": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("M", (6, 6), tuple(range(36))),
+                    OutputSpec("h", (6,), tuple(range(6))),
+                    OutputSpec("f", (6,), tuple(range(6))),
+                    OutputSpec("U", (1,), (0,)),
+                ),
+                313,
+            ),
+            "tangent": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("R_x", (6, 6), tuple(range(36))),
+                    OutputSpec("R_v", (6, 6), tuple(range(36))),
+                ),
+                746,
             ),
         },
         family="beam",

@@ -3,6 +3,7 @@
 from flexel.derive.declare import Element
 from flexel.derive.elements.beam import BEAM, BEAM_FIRST_ORDER
 from flexel.derive.elements.beam3 import BEAM3
+from flexel.derive.elements.beam_logarithmic import BEAM_LOGARITHMIC
 from flexel.derive.elements.beam_warping import BEAM_WARPING
 from flexel.derive.elements.bearing import BEARING
 from flexel.derive.elements.body import BODY, POINT_MASS
@@ -13,6 +14,7 @@ from flexel.derive.elements.hinge import HINGE
 from flexel.derive.elements.norm import NORM
 from flexel.derive.elements.planar_beam import PLANAR_BEAM, PLANAR_BEAM_FIRST_ORDER
 from flexel.derive.elements.planar_beam3 import PLANAR_BEAM3
+from flexel.derive.elements.planar_beam_logarithmic import PLANAR_BEAM_LOGARITHMIC
 from flexel.derive.elements.planar_bearing import PLANAR_BEARING
 from flexel.derive.elements.planar_belt import PLANAR_BELT
 from flexel.derive.elements.planar_body import PLANAR_BODY, PLANAR_POINT_MASS
@@ -59,6 +61,7 @@ ELEMENTS: tuple[Element, ...] = (
     BEAM,
     BEAM_FIRST_ORDER,
     BEAM_WARPING,
+    BEAM_LOGARITHMIC,
     WHEEL,
     SURFACE,
     TOROIDAL_WHEEL,
@@ -80,6 +83,7 @@ ELEMENTS: tuple[Element, ...] = (
     PLANAR_HINGE,
     PLANAR_BEAM,
     PLANAR_BEAM_FIRST_ORDER,
+    PLANAR_BEAM_LOGARITHMIC,
     PLANAR_BEAM3,
     PLANAR_BEARING,
     PLANAR_BELT,

@@ -1,8 +1,8 @@
 """Flexible beam in the plane, with and without the second-order terms of its elongation."""
 
-from sympy import Matrix
+from sympy import Expr, Matrix
 
-from flexel.derive.declare import Deformation, Element, Let, Parameter, PlanarAngle, PlanarPoint
+from flexel.derive.declare import Deformation, Element, Let, Node, Parameter, PlanarAngle, PlanarPoint
 from flexel.derive.declare.rotation import HALF, dot, norm
 from flexel.derive.declare.shape import hermite_energy, hermite_mean, rotary_energy
 from flexel.derive.elements.parameters import L0, PLANAR_GRAVITY, RHOA
@@ -22,6 +22,28 @@ T: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary
 U = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)"""
 
 
+def planar_kinetic_energy(
+    let: Let, nodes: tuple[Node, ...], across: tuple[Matrix, Matrix], length: Expr
+) -> Expr:
+    """Kinetic energy of the cubic axis and of the sections' rotation.
+
+    Parameters
+    ----------
+    across : tuple of Matrix (2, 1)
+        Directions ey of the element at the ends.
+    length : Expr
+        Present length.
+    """
+    p, rp, q, rq = nodes
+    l0 = L0.symbol
+    wp, wq = rp.v[0], rq.v[0]
+    chord = let.scalar("chord", HALF * dot(q.v - p.v, across[0] + across[1]) / length)
+    columns: tuple[Matrix, ...] = (p.v, l0 * wp * across[0], q.v, l0 * wq * across[1])
+    translation = RHOA.symbol * hermite_energy(columns)
+    rotation = PLANAR_RHOJ.symbol * rotary_energy(PLANAR_PHI.symbol, chord, wp, wq)
+    return HALF * l0 * (translation + rotation)
+
+
 def _planar_beam(name: str, second: bool) -> Element:
     p, rp, q, rq = PlanarPoint("p"), PlanarAngle("rp"), PlanarPoint("q"), PlanarAngle("rq")
     l0 = L0.symbol
@@ -35,11 +57,7 @@ def _planar_beam(name: str, second: bool) -> Element:
     elongation = length - l0
     if second:
         elongation += (2 * b5**2 + b5 * b6 + 2 * b6**2) / (30 * l0)
-    wp, wq = rp.v[0], rq.v[0]
-    chord = let.scalar("chord", HALF * dot(q.v - p.v, ey_p + ey_q) / length)
-    columns: tuple[Matrix, ...] = (p.v, l0 * wp * ey_p, q.v, l0 * wq * ey_q)
-    translation = RHOA.symbol * hermite_energy(columns)
-    rotation = PLANAR_RHOJ.symbol * rotary_energy(PLANAR_PHI.symbol, chord, wp, wq)
+    energy = planar_kinetic_energy(let, (p, rp, q, rq), (ey_p, ey_q), length)
     centre = hermite_mean(p.x, l0 * ex_p, q.x, l0 * ex_q)
     return Element(
         name=name,
@@ -54,7 +72,7 @@ def _planar_beam(name: str, second: bool) -> Element:
             Deformation("bend1", "m", b5, kind="bend_z"),
             Deformation("bend2", "m", b6, kind="bend_z"),
         ),
-        kinetic_energy=HALF * l0 * (translation + rotation),
+        kinetic_energy=energy,
         potential=-RHOA.symbol * l0 * dot(PLANAR_GRAVITY.vector, centre),
         doc=_DOC.format(elongation="b1 + (2 b5^2 + b5 b6 + 2 b6^2)/(30 l0)" if second else "b1"),
         source="SPACAR95 manual (Schwab and Meijaard 2000), PLBEAM, PLBEAMNL; signs of the "

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from flexel.base.arguments import array, flag, names, not_negative, number, positive, vector
+from flexel.base.arguments import array, flag, names, not_negative, number, positive, unknown, vector
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.base.transactions import whole_or_nothing
@@ -23,6 +23,7 @@ from flexel.structure.nodes import Node
 
 MODES = ("elongation", "torsion", "bend1", "bend2", "bend3", "bend4")
 STIFFNESS_OF = dict(zip(MODES, ("EA", "GJ", "EIy", "EIy", "EIz", "EIz"), strict=True))
+ROTATIONS = ("classic", "logarithmic")
 PLANAR = (0, 4, 5)  # the modes of a planar beam among those of the spatial one; its plane has the normal z
 
 
@@ -58,6 +59,7 @@ class Beams(Springs):
         warping_inertia_per_length: float = 0.0,
         second_order: bool = True,
         warping: bool | Sequence[Node | str] = False,
+        rotations: str = "classic",
     ) -> None:
         """Add a straight beam between two points; without a second frame, the rigid three-node beam.
 
@@ -97,11 +99,16 @@ class Beams(Springs):
         warping : True or two nodes
             Sections warp (non-uniform torsion, see `warping`): the warping nodes at p and q, or True for free ones of
             its own, ``<name>_warping_p`` and ``<name>_warping_q``.
+        rotations : str
+            "classic": a bending deformation is the sine of an angle, as in SPACAR.  "logarithmic": torsion and bending
+            are linear in the rotation vector between the ends (Simo 1985, Crisfield 1990), which may be any below half
+            a turn; with shear stiffness only this converges to Reissner's rod in strong bending.
 
         Raises
         ------
         ModelError
-            Points that coincide, a stiffness that is not positive, a beam neither rigid nor flexible.
+            Points that coincide, a stiffness that is not positive, a beam neither rigid nor flexible, logarithmic
+            rotations of a beam that is rigid, of first order or warps.
 
         Examples
         --------
@@ -140,6 +147,11 @@ class Beams(Springs):
             {"EIw": EIw, "warping_inertia_per_length": rho_iw},
             {"a planar beam": planar, "a rigid beam": not given, "a first-order beam": not second},
         )
+        logarithmic = _is_logarithmic(
+            owner,
+            rotations,
+            {"a rigid beam": not given, "a first-order beam": not second, "a beam with warping": warps},
+        )
         mass = _mass(owner, planar, mass_per_length, inertia_per_length)
         if frame_q is None:
             shape = planar_offset(nodes) if planar else offset(nodes, direction, owner)
@@ -150,7 +162,7 @@ class Beams(Springs):
         l0 = float(shape["l0"][0])
         phi_y, phi_z = shear_numbers(l0, given)
         shear = {"phi_z": phi_y} if planar else {"phi_y": phi_y, "phi_z": phi_z}
-        suffix = "" if second else "_first_order"
+        suffix = "_logarithmic" if logarithmic else "" if second else "_first_order"
         if warps:
             mass |= parameters(owner, profile, given, rho_iw)
             nodes += nodes_of(self, owner, name, warping)
@@ -169,6 +181,19 @@ class Beams(Springs):
             self._add_linear(
                 owner, [f"{name}.{z}" for z in WARPING], S, damping * S, np.zeros(2), f"{name} warping"
             )
+
+
+def _is_logarithmic(owner: str, rotations: Any, obstacles: Mapping[str, bool]) -> bool:
+    """Whether torsion and bending are linear in the rotation between the ends; refuses what contradicts this."""
+    if not isinstance(rotations, str) or rotations not in ROTATIONS:
+        raise ModelError(f"{owner}: {unknown(str(rotations), ROTATIONS, 'rotations=')}")
+    found = [what for what, is_so in obstacles.items() if is_so]
+    if rotations == "logarithmic" and found:
+        raise ModelError(
+            f"{owner}: {found[0]} has no logarithmic rotations; drop rotations=, or make it a flexible beam with "
+            "second-order terms and without warping"
+        )
+    return rotations == "logarithmic"
 
 
 def _profile(owner: str, section: Any, material: Any, stated: Sequence[str]) -> Profile:

@@ -41,6 +41,7 @@ class LeafSprings(Beams, Nodes):
         damping: float = 0.0,
         second_order: bool = True,
         warping: bool | Sequence[Node | str] = False,
+        rotations: str = "classic",
     ) -> tuple[str, ...]:
         """Add a straight leaf spring between two bodies, or between two nodes: beams in series.
 
@@ -70,6 +71,8 @@ class LeafSprings(Beams, Nodes):
         warping : True or two nodes
             Sections warp, as of `beam`: the warping nodes at both ends, or True for free ones of its own; those between
             the beams are ``<name> warping 1``, ….
+        rotations : str
+            "classic" or "logarithmic", as of `beam`.
 
         Returns
         -------
@@ -116,6 +119,7 @@ class LeafSprings(Beams, Nodes):
                 damping=damping,
                 second_order=second_order,
                 warping=twist,
+                rotations=rotations,
             )
         return beams
 

@@ -18,6 +18,8 @@ from numpy.typing import ArrayLike
 from flexel.base.arrays import Array, Index
 from flexel.base.callers import outside
 from flexel.base.errors import RangeWarning
+from flexel.mechanics.sheared import shear_angles, shear_numbers, warn_sheared
+from flexel.mechanics.turned import warn_turned
 from flexel.structure.structure import Structure
 
 FAR = 15.0  # angle within one element [°] at which moments have errors of 1 % (bending) and 4.5 % (torsion)
@@ -36,11 +38,13 @@ class Turns:
         Deformations of twist by number; -1 for none.
     bends : ndarray of int (elements, 2, 2)
         By plane those of both ends; -1 for none.
+    shear : ndarray (elements, 2)
+        Shear numbers by plane.
     """
 
     def __init__(self, structure: Structure) -> None:
         self.names: list[str] = []
-        lengths, twist, bends = [], [], []
+        lengths, twist, bends, numbers = [], [], [], []
         first = 0
         for instance in structure.instances:
             kinds = [deformation.kind for deformation in instance.spec.deformations]
@@ -49,19 +53,22 @@ class Turns:
                 lengths.append(float(instance.parameters["l0"][0]))
                 twist.append(first + kinds.index(TWIST) if TWIST in kinds else -1)
                 bends.append([_both(kinds, kind, first) for kind in BENDS])
+                numbers.append(shear_numbers(instance))
             first += len(kinds)
-        self.lengths = np.array(lengths)
+        self.lengths, self.shear = np.array(lengths), np.array(numbers)
         self.twist: Index = np.array(twist, dtype=np.intp)
         self.bends: Index = np.array(bends, dtype=np.intp)
 
     def angles(self, e: Array) -> tuple[Array, Array]:
         """Turns (states, elements) of the ends against one another [°], by bending and by twist, from (states, m)."""
-        known = np.concatenate(
-            [e, np.zeros((len(e), 1))], axis=1
-        )  # the last one for deformations that are not
+        known = _with_none(e)
         ends = np.arcsin(np.clip(known[:, self.bends] / self.lengths[:, None, None], -1.0, 1.0))
         twisted = np.arcsin(np.clip(np.abs(known[:, self.twist]) / self.lengths, 0.0, 1.0))
         return np.degrees(np.linalg.norm(np.abs(ends).sum(axis=3), axis=2)), np.degrees(twisted)
+
+    def sheared(self, e: Array) -> Array:
+        """Shear angles (states, elements) [rad] at deformations (states, m)."""
+        return shear_angles(_with_none(e), self.bends, self.lengths, self.shear)
 
 
 @contextmanager
@@ -75,7 +82,7 @@ def warned_together() -> Iterator[None]:
 
 
 def warn_bent(structure: Structure, times: ArrayLike, e: Array, analysis: str) -> None:
-    """Warn, at the caller of an analysis, of elements that are bent or twisted by more than 15°.
+    """Warn, at the caller of an analysis, of elements that are bent, twisted, sheared or turned too far.
 
     Parameters
     ----------
@@ -86,11 +93,13 @@ def warn_bent(structure: Structure, times: ArrayLike, e: Array, analysis: str) -
     analysis : str
         For the message.
     """
-    if _part_of_another.get():
+    if _part_of_another.get() or not len(e):
         return
+    warn_turned(structure, times, e, analysis)
     turns = Turns(structure)
-    if not turns.names or not len(e):
+    if not turns.names:
         return
+    warn_sheared(turns.names, turns.sheared(e), times, analysis)
     bent, twisted = turns.angles(e)
     worst = np.maximum(bent, twisted)
     far = int((worst.max(axis=0) > FAR).sum())
@@ -103,10 +112,15 @@ def warn_bent(structure: Structure, times: ArrayLike, e: Array, analysis: str) -
     warnings.warn(
         f"{analysis}: '{turns.names[which]}' is {'twisted' if twists else 'bent'} by {angle:.0f}° at t = "
         f"{np.asarray(times)[when]:g} s{others}: its moments are about {100 * _error(angle, twists):.2g} % too small; "
-        f"{count} elements in place of each would do",
+        f"{count} elements in place of each, or rotations='logarithmic', would do",
         RangeWarning,
         stacklevel=outside(),
     )
+
+
+def _with_none(e: Array) -> Array:
+    """Deformations with zero behind them, in the place of those that are not."""
+    return np.concatenate([e, np.zeros((len(e), 1))], axis=1)
 
 
 def _both(kinds: list[str], kind: str, first: int) -> list[int]:

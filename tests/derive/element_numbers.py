@@ -42,7 +42,7 @@ def every(names: list[str]) -> pytest.MarkDecorator:
 with_deformations = every([name for name, z in ELEMENTS.items() if z.deformations])
 with_slips = every([name for name, z in ELEMENTS.items() if z.slips])
 with_mass = every([name for name, z in ELEMENTS.items() if "inertia" in z.kernels])
-beams = pytest.mark.parametrize("name", ["beam", "beam_first_order"])
+beams = pytest.mark.parametrize("name", ["beam", "beam_first_order", "beam_logarithmic"])
 planar_beams = pytest.mark.parametrize("name", ["planar_beam", "planar_beam_first_order"])
 
 

@@ -1,7 +1,7 @@
 """Beams: second order, symmetry, energy of a rod, rotary inertia."""
 
 import random
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import pytest
@@ -74,12 +74,18 @@ def test_elongation_of_a_bent_beam_is_the_change_of_its_arc_length(rng: random.R
     assert equal(d.D([0, 0, a, length, 0, b])[1:], [-a, b], mpf(10) ** -17)
 
 
-def rod(curvature: Callable[[Any], Vector], steps: int = 40) -> tuple[Vector, Vector]:
-    """Return the end of an inextensible rod of length 1 from the origin along x: position and quaternion (RK4)."""
+def rod(
+    curvature: Callable[[Any], Vector], steps: int = 40, stretch: Sequence[Any] = (0, 0, 0)
+) -> tuple[Vector, Vector]:
+    """Return the end of a rod of length 1 from the origin along x: position and quaternion (RK4).
+
+    `curvature` gives twist and curvatures at a place from 0 to 1; `stretch` are uniform stretch and shears.
+    """
+    along = plus(X, stretch)
 
     def slope(s: Any, y: Vector) -> Vector:
         turning = [c / 2 for c in product(y[3:], [0, *curvature(s)])]
-        return [*rotated(y[3:], X), *turning]
+        return [*rotated(y[3:], along), *turning]
 
     y, h = [mpf(c) for c in (0, 0, 0, 1, 0, 0, 0)], mpf(1) / steps
     for i in range(steps):

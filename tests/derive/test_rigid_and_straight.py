@@ -33,7 +33,9 @@ from flexel.derive.declare import (
 )
 
 
-@pytest.mark.parametrize("name", ["truss", "bearing", "beam3", "beam", "beam_first_order", "beam_warping"])
+@pytest.mark.parametrize(
+    "name", ["truss", "bearing", "beam3", "beam", "beam_first_order", "beam_warping", "beam_logarithmic"]
+)
 def test_straight_element_anywhere_in_space_is_undeformed(name: str, rng: random.Random) -> None:
     element = named(name)
     values, places = straight(rng)
@@ -42,7 +44,10 @@ def test_straight_element_anywhere_in_space_is_undeformed(name: str, rng: random
     assert equal(d.D(symmetry(element, values, rng).moved(element, x)), [0] * d.m)
 
 
-@pytest.mark.parametrize("name", ["planar_truss", "planar_beam", "planar_beam_first_order", "planar_beam3"])
+@pytest.mark.parametrize(
+    "name",
+    ["planar_truss", "planar_beam", "planar_beam_first_order", "planar_beam_logarithmic", "planar_beam3"],
+)
 def test_straight_element_anywhere_in_the_plane_is_undeformed(name: str, rng: random.Random) -> None:
     element = named(name)
     values, x = planar_straight(element, rng)

@@ -93,3 +93,44 @@ def test_a_motion_says_when_a_beam_is_bent_most() -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         bent(8, np.radians(25)).build().simulate(0.5, samples=11)
+
+
+def test_logarithmic_rotations_are_known_below_half_a_turn_and_say_so() -> None:
+    """One element twisted by 200° has the torque of -160°, and warns; two have that of 100° each, and do not."""
+    for elements in (1, 2):
+        m = fx.Model()
+        for i in range(elements + 1):
+            m.point(f"P{i}", (LENGTH * i / elements, 0, 0), fixed=i == 0)
+            m.frame(f"R{i}", fixed=i == 0)
+        for i in range(elements):
+            ends = f"P{i}", f"R{i}", f"P{i + 1}", f"R{i + 1}"
+            m.beam(f"b{i}", *ends, EA=1.0, GJ=GJ, EIy=EI, EIz=EI, rotations="logarithmic")
+        m.hinge("turn", "R0", f"R{elements}", axis=(1, 0, 0))
+        m.prescribe("turn.angle", fx.Polynomial((0.0, np.radians(200))))
+        with warnings.catch_warnings(record=True) as said:
+            warnings.simplefilter("always")
+            s = m.build()
+            state = s.equilibrium(t=1.0) if elements == 1 else s.static_path(t_end=1.0)[-1]
+        expected = {1: -160, 2: 200}[elements]
+        assert state.section_forces("b0")[0].T == pytest.approx(GJ * np.radians(expected) / LENGTH, rel=1e-9)
+        found = [str(w.message) for w in said if issubclass(w.category, RangeWarning)]
+        assert len(found) == 2 - elements
+        assert all("'b0' are turned by 160°" in w and "may be 200° the other way" in w for w in found)
+
+
+@pytest.mark.parametrize("planar", [True, False])
+def test_a_beam_that_is_sheared_too_far_is_named_with_its_remedy(planar: bool) -> None:
+    """A short block under a force across leans by γ = V/GA (closed form)."""
+    m = fx.Model(gravity=(0, 0) if planar else (0, 0, 0))
+    ends = "P0", "R0", "P1", "R1"
+    for i in range(2):
+        m.point(f"P{i}", (0.02 * i, 0.0) if planar else (0.02 * i, 0.0, 0.0), fixed=i == 0)
+        (m.angle if planar else m.frame)(f"R{i}", fixed=i == 0)
+    stiff = {"EA": 1e7, "EIz": 10.0, "GAy": 100.0}
+    stiff |= {} if planar else {"EIy": 10.0, "GJ": 10.0, "GAz": 1e4}
+        {"GAy": 100.0} if planar else {"GAy": 100.0, "EIy": 10.0, "GJ": 10.0, "GAz": 1e4}
+    )
+    m.beam("block", *ends, **stiff)
+    m.load("P1", (0.0, 12.0) if planar else (0.0, 12.0, 0.0))
+    with pytest.warns(RangeWarning, match=r"'block' is sheared by 6\.8° .* 1\.4 % .*rotations='logarithmic'"):
+        m.build().equilibrium()
