@@ -47,7 +47,6 @@ TYRES: dict[str, dict[str, Any]] = {
     for axle, load, stiffness in (("rear", 1500.0, 12.0), ("front", 1300.0, 11.0))
 }  # fmt: skip
 SPEEDS = tuple(float(v) for v in np.arange(5.0, 60.1, 2.5))
-PARTS = ("deflection", "camber", "forward", "rolling", "longitudinal", "lateral", "spin")
 LATERAL = ("lean.angle", "steer.angle", "yaw.angle", "frame.y")
 PLANE = ("frame.z", "pitch.angle", "fork.along", "swing.angle")
 
@@ -78,8 +77,8 @@ def motorcycle(speed: float = 0.0, crown: float = 1.0) -> fx.System:
         hub, wheel = f"{axle} hub", f"{axle} wheel"
         m.hinge(f"{axle} spin", frame, wheel, axis=(0, 1, 0))
         m.body(f"{axle} wheel body", hub, wheel, **WHEELS[axle])
-        m.tyre(f"{axle} tyre", hub, wheel, radius=RADIUS[axle], axle=(0, 1, 0), crown=crown * CROWN[axle])
-        m.attach("magic_formula", [f"{axle} tyre.{z}" for z in PARTS], name=axle, **TYRES[axle])
+        tyre: dict[str, Any] = {"radius": RADIUS[axle], "axle": (0, 1, 0), "crown": crown * CROWN[axle]}
+        m.tyre(f"{axle} tyre", hub, wheel, **tyre, law="magic_formula", **TYRES[axle])
     m.body("rear frame", "frame", "body", **FRAME)
     m.body("front frame", "head", "front body", offset=np.array(FORK_CENTRE) - head, **FORK)
     k, c, preload = FORK_SPRING
@@ -202,10 +201,8 @@ def bicycle_on_tyres(speed: float, crown: float, stiffness: float) -> Array:
     }  # fmt: skip
     for axle, radius in radii.items():
         tyre: dict[str, Any] = dict(radius=radius, axle=(0, -1, 0), normal=(0, 0, -1), crown=crown)
-        m.tyre(f"{axle} tyre", f"{axle} hub", f"{axle} wheel", **tyre)
-        m.attach(
-            "magic_formula", [f"{axle} tyre.{z}" for z in PARTS], name=axle, rolling_radius=radius, **law
-        )
+        tyre |= {"law": "magic_formula", "rolling_radius": radius}
+        m.tyre(f"{axle} tyre", f"{axle} hub", f"{axle} wheel", **tyre, **law)
     place = ("rear hub.x", "rear hub.y", "rear hub.z", "yaw.angle", "lean.angle", "pitch.angle")
     m.independent(*place, "steer.angle", "rear spin.angle", "front spin.angle")
     system = m.build()

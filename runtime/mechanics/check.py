@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from flexel.base.errors import AssemblyWarning, ConstraintError, DynamicsError, FlexelError, ModelWarning
+from flexel.base.shown import counted
 from flexel.declare.declarations import Declarations
 from flexel.declare.resolution import norms, resolve_roles
 from flexel.engine.evaluate import Evaluation
@@ -23,6 +24,7 @@ from flexel.structure.moment import Moment
 from flexel.structure.structure import Structure, assemble_structure
 
 SHOWN = 8  # names in a list
+MOTIONS = 8  # that no law resists and that have a line each; the rest is counted
 POOR = 10.0  # reach of the degrees of freedom, relative to that of the best, from which a note is given
 
 
@@ -72,8 +74,10 @@ def _constraints(report: ConstraintReport) -> Iterator[Finding]:
     for name, others in report.alternatives.items():
         if others:
             yield Finding("note", "constraints", f"in place of '{name}' equally well: {quoted(others)}")
-    for share in report.motions:
+    for share in report.motions[:MOTIONS]:
         yield Finding("note", "constraints", f"a mechanism: no law resists a motion of {_leading(share)}")
+    if (more := len(report.motions) - MOTIONS) > 0:
+        yield Finding("note", "constraints", f"a mechanism: no law resists {counted(more, 'more motion')}")
 
 
 def _leading(share: dict[str, float]) -> str:
