@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass, field
 from fractions import Fraction
 from math import gcd, lcm
@@ -10,12 +11,15 @@ import numpy as np
 from scipy.linalg import expm
 
 from flexel.base.arrays import Array, ComplexArray
+from flexel.base.callers import outside
 from flexel.base.copies import Portable
-from flexel.base.errors import LinearizationError
+from flexel.base.errors import LinearizationError, UnsteadyWarning
 from flexel.linear.sensors import state_space
 from flexel.mechanics.linearization import Linearization
+from flexel.mechanics.steadiness import UNSTEADY
 from flexel.structure.controllers import SAME, Controller
 
+FIXED = 1e-6  # change of an output or state at an instant, relative to it, that counts as none
 MOST_PERIODS = 1000  # of all controllers, until their instants repeat
 
 
@@ -58,6 +62,7 @@ def sampled_loop(lin: Linearization) -> SampledLoop:
         raise LinearizationError(
             "sampled: no controller has a period; eigenvalues() are those of the closed loop"
         )
+    _check_fixed(lin, controllers)
     period, counts = _common_period(controllers)
     size = len(lin.states)
     places = {name: size - len(lin.internal) + i for i, name in enumerate(lin.internal)}
@@ -71,6 +76,27 @@ def sampled_loop(lin: Linearization) -> SampledLoop:
     return SampledLoop(
         _product(lin.state_matrix, changes, period, SAME * period / max(counts)), lin.states, period
     )
+
+
+def _check_fixed(lin: Linearization, controllers: list[Controller]) -> None:
+    """Warn of a state that is not a fixed point: it accelerates, or a controller would change its outputs or state."""
+    state, index = lin.state, lin.state.structure.internal
+    change = "the state accelerates" if lin.acceleration > UNSTEADY else ""
+    for c in controllers:
+        names = (*c.shown, *c.own)
+        now = np.array([state.z[index[name]] for name in names])
+        after = np.concatenate(c.advanced(state.t, c.measured(state), c.remembered(state)))
+        off = np.abs(after - now) - FIXED * np.maximum(np.abs(after), np.abs(now))
+        worst = int(np.argmax(off))
+        if off[worst] > FIXED:
+            change = f"{c.owner} would change '{names[worst]}' from {now[worst]:.4g} to {after[worst]:.4g}"
+    if change:
+        warnings.warn(
+            f"sampled: this is not a fixed point of the loop, because {change}: the eigenvalues are those of the "
+            "motion only where the loop is linear; simulate until it settles, and linearize there",
+            UnsteadyWarning,
+            stacklevel=outside(),
+        )
 
 
 def _product(A: Array, changes: list[tuple[float, Array]], period: float, same: float) -> Array:

@@ -38,6 +38,11 @@ class SampledLinearization:
             If no controller is sampled, if periods have no common multiple that is short enough, or if a controller is
             not smooth or at its limit there.
 
+        Warns
+        -----
+        UnsteadyWarning
+            If the state is not a fixed point of the loop: it accelerates, or a controller would change its outputs.
+
         Examples
         --------
         >>> system.linearize().sampled().eigenvalues()  # doctest: +SKIP

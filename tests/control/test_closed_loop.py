@@ -10,6 +10,10 @@ from scipy.linalg import expm, solve_continuous_are
 
 import flexel as fx
 
+# the matrix of a linear loop is the same at all states
+LINEAR = pytest.mark.filterwarnings("ignore:sampled. this is not a fixed point:flexel.UnsteadyWarning")
+
+
 T = 0.02
 
 
@@ -137,6 +141,7 @@ def test_a_delay_of_a_part_of_the_period(part: float) -> None:
     assert largest_first(loop.eigenvalues())[:5] == pytest.approx(known, rel=1e-8)
 
 
+@LINEAR
 @pytest.mark.parametrize("side", [0.999, 1.001])
 def test_the_limits_of_the_gains_of_a_sampled_double_integrator(side: float) -> None:
     """By Jury's criterion it is stable for kp T/2 < kd < 2/T, gains per mass."""
@@ -188,3 +193,25 @@ def test_statics_with_a_controller() -> None:
     assert s.equilibrium()["A.x"] == pytest.approx(0.5, abs=1e-12)
     held = s.equilibrium(s.state_at({"c.u": 4.0}))
     assert held["A.x"] == pytest.approx(0.7, abs=1e-12) and held["c.u"] == 4.0
+
+
+def test_a_sampled_loop_is_linearized_where_it_repeats() -> None:
+    """A sampled output that hardens as a spring: at rest where 10 x + 40 x³ = 2."""
+    m = carriage()
+    m.controller(lambda t, y: 2 - 10 * y[0] - 40 * y[0] ** 3 - 5 * y[1], inputs=["A.x", "A.x'"], outputs=["A.x"],
+                 period=0.01, name="c")  # fmt: skip
+    s = m.build()
+    with pytest.warns(
+        fx.UnsteadyWarning, match=r"sampled: .* because controller 'c' would change 'c.u' from 0 to"
+    ):
+        s.linearize().sampled()
+    settled = s.simulate(30.0, samples=2)[-1]
+    root = np.roots([40.0, 0.0, 10.0, -2.0])
+    place = float(root[np.isreal(root)].real[0])
+    assert settled["A.x"] == pytest.approx(place, abs=1e-6)
+    poles = s.linearize(settled).sampled().eigenvalues()
+    slope = 10 + 120 * place**2
+    loop = np.array([[1, 0.01], [0, 1]]) - np.array([[0.01**2 / 2], [0.01]]) @ [[slope, 5.0]] / MASS
+    np.testing.assert_allclose(
+        np.sort_complex(poles[:2]), np.sort_complex(np.linalg.eigvals(loop)), rtol=1e-6
+    )

@@ -8,6 +8,10 @@ from controlled import MASS, Array, carriage, lagging
 
 import flexel as fx
 
+# the matrix of a linear loop is the same at all states
+LINEAR = pytest.mark.filterwarnings("ignore:sampled. this is not a fixed point:flexel.UnsteadyWarning")
+
+
 ORDER = 40
 
 
@@ -63,6 +67,7 @@ def two_rates(**options: Any) -> fx.System:
     return m.build()
 
 
+@LINEAR
 def test_a_loop_of_several_periods_is_that_of_simulated_motions() -> None:
     """All is linear: deviations of each state, a tenth of a second later, are the columns of the matrix."""
     s = two_rates()
@@ -82,6 +87,7 @@ def test_a_loop_of_several_periods_is_that_of_simulated_motions() -> None:
     assert loop.state_matrix == pytest.approx(np.array(columns).T, abs=1e-9)
 
 
+@LINEAR
 def test_stability_of_two_periods_is_that_of_motions() -> None:
     """With a longer delay of the slow loop the motion grows, by the largest eigenvalue in each common period."""
     for delay, stable in ((0.06, True), (0.2, False)):
@@ -95,6 +101,7 @@ def test_stability_of_two_periods_is_that_of_motions() -> None:
         assert (late < early) == stable == (largest < 1)
 
 
+@LINEAR
 def test_periods_without_a_common_multiple_are_named() -> None:
     for period in (0.02 * np.sqrt(2), 0.02 * 997 / 991):
         s = two_rates(slow={"period": period, "delay": 0.0})
