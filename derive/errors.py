@@ -1,6 +1,9 @@
 """Errors that flexel raises on purpose; those of the runtime, `flexel.base.errors`, are built on them."""
 
+import re
 from typing import Any
+
+_NUMPY = re.compile(r"\bnp\.(?:(?:float|int|uint|complex|longdouble|str|bool)\w*\(([^()]*)\)|(True|False)_)")
 
 
 class FlexelError(Exception):
@@ -13,6 +16,10 @@ class FlexelError(Exception):
     """
 
     motion: Any = None
+
+    def __str__(self) -> str:
+        """The message, with NumPy's numbers as Python's: 1.5 for np.float64(1.5)."""
+        return _NUMPY.sub(lambda found: found[1] or found[2] or "", super().__str__())
 
 
 class ElementError(FlexelError, ValueError):

@@ -7,8 +7,6 @@ from dataclasses import dataclass
 from html import escape
 from typing import ClassVar, Protocol, TypeVar
 
-import numpy as np
-
 LONGEST = 60  # rows of a table that are shown, the rest is counted
 
 
@@ -78,9 +76,3 @@ def listed(names: Sequence[str], most: int = 8) -> str:
     """Names joined by commas, the first ones if there are many."""
     shown = ", ".join(names[:most])
     return f"{shown} and {len(names) - most} more" if len(names) > most else shown
-
-
-def plain(value: object) -> str:
-    """A given value as text for a message, with NumPy's numbers and arrays shown as Python's."""
-    with np.printoptions(legacy="1.25"):
-        return repr(value.tolist() if isinstance(value, (np.ndarray, np.generic)) else value)

@@ -18,7 +18,6 @@ from flexel.base.arrays import Array
 from flexel.base.copies import OF_TIME, Constant, check_travels
 from flexel.base.errors import FlexelError, ModelError
 from flexel.base.jets import Jet, as_jet
-from flexel.base.shown import plain
 from flexel.base.switching import next_switch, on_switch
 from flexel.base.time_tables import Table
 
@@ -198,7 +197,7 @@ class Polynomial:
         c = array(self.coefficients, "Polynomial", "coefficients")
         if c.ndim != 1 or not c.size:
             raise ModelError(
-                f"Polynomial: coefficients {plain(self.coefficients)}; give a list of one number or more"
+                f"Polynomial: coefficients {self.coefficients!r}; give a list of one number or more"
             )
 
     def rates(self, t: float) -> tuple[float, float, float]:
@@ -297,14 +296,10 @@ def as_function(value: Any, owner: str) -> TimeFunction:
         raise ModelError(f"{owner}: {value.__name__} is a class; give an instance, {value.__name__}(…)")
     if isinstance(value, tuple):
         if len(value) != 3 or not all(callable(z) for z in value):
-            raise ModelError(
-                f"{owner}: {plain(value)} given; a tuple must hold the three functions (u, u', u'')"
-            )
+            raise ModelError(f"{owner}: {value!r} given; a tuple must hold the three functions (u, u', u'')")
         return Triple(value, owner)
     if callable(value):
         return Formula(value, owner)
     if isinstance(value, (str, list, type(None))):
-        raise ModelError(
-            f"{owner}: {plain(value)} is neither a number nor a function of time; give one of these"
-        )
+        raise ModelError(f"{owner}: {value!r} is neither a number nor a function of time; give one of these")
     return Polynomial((number(value, owner, "value"),))

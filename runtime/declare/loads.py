@@ -12,7 +12,6 @@ import numpy as np
 
 from flexel.base.arguments import flag, unknown
 from flexel.base.errors import ModelError
-from flexel.base.shown import plain
 from flexel.base.time_functions import Polynomial, as_function
 from flexel.declare.declarations import Declarations
 from flexel.generated.table import ELEMENTS
@@ -129,7 +128,7 @@ def _components(value: Any, size: int, owner: str) -> list[Any]:
         return [value]
     if not isinstance(value, (list, tuple, np.ndarray)):
         raise ModelError(
-            f"{owner}: {plain(value)} given; it takes a list of {size} components, each a number or a function of time"
+            f"{owner}: {value!r} given; it takes a list of {size} components, each a number or a function of time"
         )
     if len(value) != size:
         raise ModelError(f"{owner}: {len(value)} components given; it takes {size}")

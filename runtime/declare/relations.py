@@ -6,7 +6,6 @@ from collections.abc import Mapping
 
 from flexel.base.arguments import number
 from flexel.base.errors import ModelError
-from flexel.base.shown import plain
 from flexel.declare.declarations import Declarations
 from flexel.derive.spec import DeformationSpec, ElementSpec
 from flexel.structure.instances import Instance
@@ -49,7 +48,7 @@ class RelationMethods(Declarations):
         owner = f"relation '{name}'"
         if not isinstance(terms, Mapping) or not terms:
             raise ModelError(
-                f"{owner}: terms {plain(terms)} are not coefficients by name; write {{'a.angle': 1.0, 'b.angle': -2.0}}"
+                f"{owner}: terms {terms!r} are not coefficients by name; write {{'a.angle': 1.0, 'b.angle': -2.0}}"
             )
         found = {term: number(c, owner, f"coefficient of '{term}'") for term, c in terms.items()}
         units = {term: self._unit_of(term, owner) for term in found}

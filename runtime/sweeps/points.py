@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 
 from flexel.base.arguments import whole
 from flexel.base.errors import ModelError
-from flexel.base.shown import plain
 
 Column = NDArray[Any]  # float64, int64, bool or text, one-dimensional
 OWNER = "points of a sweep"
@@ -70,7 +69,7 @@ class Points:
 
     def shown(self, index: int) -> str:
         """A point as text."""
-        return ", ".join(f"{name} = {plain(value)}" for name, value in self.point(index).items())
+        return ", ".join(f"{name} = {value!r}" for name, value in self.point(index).items())
 
     def described(self) -> dict[str, Any]:
         """What distinguishes these points from others, for JSON: sizes and digests of the values by name."""
@@ -143,24 +142,24 @@ def points_of(given: Any) -> Points:
     if isinstance(given, Iterable) and not isinstance(given, str | bytes):
         return listed(given)
     raise ModelError(
-        f"{OWNER}: {plain(given)} is not a set of points; give {{'parameter': [values…]}}, a list of points or a sample"
+        f"{OWNER}: {given!r} is not a set of points; give {{'parameter': [values…]}}, a list of points, or a sample"
     )
 
 
 def _columns(given: Mapping[str, Iterable[Any]]) -> dict[str, Column]:
     """Checked values by name."""
     if not isinstance(given, Mapping) or not given:
-        raise ModelError(f"{OWNER}: {plain(given)} names no parameter; give {{'parameter': [values…]}}")
+        raise ModelError(f"{OWNER}: {given!r} names no parameter; give {{'parameter': [values…]}}")
     for name in given:
         if not isinstance(name, str) or name in TAKEN:
-            raise ModelError(f"{OWNER}: {plain(name)} cannot be a parameter; choose another name")
+            raise ModelError(f"{OWNER}: {name!r} cannot be a parameter; choose another name")
     return {name: _column(name, values) for name, values in given.items()}
 
 
 def _column(name: str, given: Any) -> Column:
     """The values of one parameter: all numbers, all strings or all booleans."""
     if isinstance(given, str | bytes) or not isinstance(given, Iterable):
-        raise ModelError(f"{OWNER}: '{name}' is {plain(given)}; give a list of values")
+        raise ModelError(f"{OWNER}: '{name}' is {given!r}; give a list of values")
     values = given if isinstance(given, np.ndarray) else list(given)
     kinds = {_kind(z) for z in values} if isinstance(values, list) else {values.dtype.kind.replace("u", "i")}
     if not len(values):
@@ -194,7 +193,7 @@ def _gathered(points: Iterable[Mapping[str, Any]]) -> dict[str, Column]:
     while block := list(islice(source, BLOCK)):
         for i, point in enumerate(block, start=total):
             if not isinstance(point, Mapping):
-                raise ModelError(f"{OWNER}: point {i} is {plain(point)}; give {{'parameter': value}}")
+                raise ModelError(f"{OWNER}: point {i} is {point!r}; give {{'parameter': value}}")
             names = set(point) if names is None else names
             if set(point) != names:
                 odd = ", ".join(repr(z) for z in sorted(names ^ set(point), key=str))

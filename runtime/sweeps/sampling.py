@@ -10,7 +10,6 @@ import numpy as np
 from flexel.base.arguments import number, text, whole
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
-from flexel.base.shown import plain
 from flexel.sweeps.points import OWNER, Points, listed
 
 
@@ -38,9 +37,7 @@ def sample(
     >>> points = fx.sample({"thickness": norm(0.3e-3, 5e-6), "length": (0.099, 0.101)}, 1000)
     """
     if not isinstance(parameters, Mapping) or not parameters:
-        raise ModelError(
-            f"{OWNER}: {plain(parameters)} names no parameter; give {{'parameter': (low, high)}}"
-        )
+        raise ModelError(f"{OWNER}: {parameters!r} names no parameter; give {{'parameter': (low, high)}}")
     size = whole(count, OWNER, "number of points")
     unit = _unit(len(parameters), size, whole(seed, OWNER, "seed", 0, 2**63), method)
     return listed({name: _drawn(name, z, unit[:, i]) for i, (name, z) in enumerate(parameters.items())})
@@ -53,7 +50,7 @@ def _unit(size: int, count: int, seed: int, method: str) -> Array:
     if method == "random":
         return source.random((count, size))
     if method != "latin":
-        raise ModelError(f"{OWNER}: method {plain(method)} is unknown; choose 'latin' or 'random'")
+        raise ModelError(f"{OWNER}: method {method!r} is unknown; choose 'latin' or 'random'")
     from scipy.stats import qmc
 
     return np.asarray(qmc.LatinHypercube(size, seed=source).random(count), float)
@@ -66,7 +63,7 @@ def _drawn(name: str, given: Any, unit: Array) -> Array:
         return np.asarray(inverse(unit), float)
     if np.shape(given) != (2,):
         raise ModelError(
-            f"{OWNER}: '{name}' is {plain(given)}; give (low, high) or a distribution such as scipy.stats.norm(0, 1)"
+            f"{OWNER}: '{name}' is {given!r}; give (low, high) or a distribution such as scipy.stats.norm(0, 1)"
         )
     low, high = (number(z, OWNER, f"a limit of '{name}'") for z in given)
     if low >= high:
