@@ -50,4 +50,5 @@ PROPERTIES = (
     Property("time reversed", motion.time_reversal, 1e-8),
     Property("explicit is implicit", motion.implicit, 1e-6),
     Property("continued from a file", motion.continued, 1e-8),
+    Property("a loose part is named", motion.loose_part, 0.0),
 )

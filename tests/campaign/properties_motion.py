@@ -1,5 +1,6 @@
 """Properties of short motions: energy, momentum, time reversal, two methods, an interrupt."""
 
+import warnings
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -16,6 +17,7 @@ MORE = (1, 4, 16)  # times as many steps, where the motion is fast in other ways
 ENOUGH = 1e-7  # error at which no more are tried
 LONGEST = 4.0  # radians of the fastest vibration
 WATCHED = 201  # instants at which a tyre is looked at for whether it leaves the road
+MOVED = 1e-9  # change of a coordinate that is a motion
 LAG = 0.002  # radians by which the implicit method may lag behind it
 
 
@@ -125,3 +127,26 @@ def continued(trial: Trial) -> float:
     system = trial.model().build()
     last = trial.moved(system, system.restore(saved), half)[-1]
     return float(np.max(np.abs(trial.x(last) - trial.x(end))))
+
+
+def loose_part(trial: Trial) -> float:
+    """With a point that moves no mass and that nothing holds, every method refuses the motion and names the point."""
+    if not trial.moving:
+        raise Inapplicable("nothing moves freely")
+    start, end = trial.system.simulate(trial.case.duration, samples=2)
+    if np.abs(end.x - start.x).max() < MOVED:
+        raise Inapplicable("nothing moves from rest")
+    m = trial.model()
+    m.point("loose part", np.zeros(len(trial.case.gravity)))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", fx.ModelWarning)
+        system = m.build()
+    silent = 0
+    for method in ("DOP853", "generalized-alpha"):
+        try:
+            system.simulate(trial.case.duration, method=method, samples=2)
+        except fx.FlexelError as error:
+            silent += "'loose part." not in str(error)
+        else:
+            silent += 1
+    return float(silent)
