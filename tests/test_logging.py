@@ -39,7 +39,7 @@ def test_building_tells_counts_and_degrees_of_freedom(caplog: pytest.LogCaptureF
     m.independent("P1.y")
     m.build()
     chosen, named = told(caplog, "build").splitlines()
-    assert "1 degree of freedom ('P1.y',)" in chosen and chosen.endswith("chosen")
+    assert "1 degree of freedom (P1.y)" in chosen and chosen.endswith("chosen")
     assert named.endswith("as named")
 
 
