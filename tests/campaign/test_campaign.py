@@ -7,14 +7,10 @@ import os
 from typing import Any
 
 import pytest
-from coarse import COARSE_MESH
 
 from campaign.families import FAMILIES
 from campaign.properties import PROPERTIES
 from campaign.run import run, table
-
-pytestmark = COARSE_MESH  # random beams are bent far
-
 
 PARTS = 10
 

@@ -5,7 +5,6 @@ from typing import Any
 
 import numpy as np
 import pytest
-from coarse import COARSE_MESH
 
 import flexel as fx
 from campaign import beam_twins, contact_twins, rope_twins, tyre_twins
@@ -13,9 +12,6 @@ from campaign.calls import Call, Case, Made, call
 from campaign.families import FAMILIES
 from campaign.grammar_ropes import laid
 from campaign.run import run
-
-pytestmark = COARSE_MESH  # random beams are bent far
-
 
 SLIGHTLY = 1 + 1e-6
 WRONG: list[tuple[str, Any, str]] = [
