@@ -1,6 +1,7 @@
 """Objects of every kind that are sent to another process, and their numbers, for tests."""
 
 import hashlib
+import warnings
 from collections.abc import Callable, Mapping
 from functools import cache
 from types import FunctionType
@@ -64,6 +65,13 @@ def sampled() -> fx.System:
     m.point_mass("mass", "P", 1.0)
     m.controller([[5.0, 1.0]], inputs=["P.x", "P.x'"], outputs=["P.x"], period=0.01)
     return m.build()
+
+
+def sampled_loop() -> Any:
+    """The loop of a linear controller, whose matrix is the same at all states."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", fx.UnsteadyWarning)
+        return sampled().linearize().sampled()
 
 
 def tabulated() -> fx.Model:
@@ -184,7 +192,7 @@ OBJECTS: dict[str, Callable[[], Any]] = {
     "motion": motion,
     "motion by an implicit method": hung,
     "linearization": lambda: motion().system.linearize(motion()[-1]),
-    "sampled loop": lambda: sampled().linearize().sampled(),
+    "sampled loop": sampled_loop,
     "modes": lambda: motion().system.linearize().modes(),
     "reduced equations": lambda: motion().system.linearize().reduced(motion().system.dynamic),
     "periodic solution": periodic,

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from flexel.base.arrays import Array
-from flexel.base.errors import DynamicsError
+from flexel.base.callers import outside
+from flexel.base.errors import DynamicsError, IncompleteWarning
 from flexel.base.quaternions import axis_angle, euler_angles
 from flexel.declare.materials import Profile
 from flexel.flexures.tables import Tables
@@ -147,6 +149,7 @@ class Measuring:
         """Multipliers of the acting forces and moments: 1 + that of a further increment of the same."""
         rows: list[list[float]] = []
         shapes: list[list[Array]] = []
+        failed: list[str] = []
         for state in states:
             acting: dict[str, float] = {}
             for load in self.model.loads:
@@ -156,11 +159,18 @@ class Measuring:
                 try:
                     modes += self.system.buckling(state, increment=acting, count=self.tables.options.buckling)
                 except DynamicsError as error:
-                    self.notes.append(f"load {state.t:g}: {error}")
+                    failed.append(f"load {state.t:g}: {error}")
             modes = [z for z in modes if abs(z.multiplier) < NEVER]
             modes.sort(key=lambda z: abs(1 + z.multiplier))
             rows.append([1 + z.multiplier for z in modes])
             shapes.append([self._moved(state, z.shape) for z in modes])
+        self.notes += failed
+        if failed:
+            warnings.warn(
+                f"flexure: no buckling loads at {len(failed)} of {len(states)} steps, {failed[0]}",
+                IncompleteWarning,
+                stacklevel=outside(),
+            )
         dims = ("time", "buckling_mode", "node", "direction")
         return {
             "buckling": Variable(dims[:2], _filled(rows), "", "multiplier of the acting forces and moments"),

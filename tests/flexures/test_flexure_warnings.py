@@ -100,3 +100,15 @@ def test_the_line_that_builds_is_the_one_that_is_shown() -> None:
     with pytest.warns(fx.ModelWarning, match="build: point 'B' belongs to no element") as caught:
         m.build()
     assert [w.filename for w in caught] == [__file__]
+
+
+@pytest.mark.filterwarnings("ignore:equilibrium. the one found:flexel.UnstableWarning")
+def test_steps_without_buckling_loads_are_counted_with_the_first_reason() -> None:
+    """A moment about a fixed axis has no potential in space."""
+    leaf = {"elements": [1], "section": "circle", "dimensions": 1e-3, "material": "spring steel"}
+    leaf |= {"orientation": (0, 1, 0), "beams": 4, "flexible": [2, 3, 4, 5, 6]}
+    properties = {1: {"fixed": True}, 2: {"moment": (0.01, 0.0, 0.01)}}
+    with pytest.warns(
+        fx.IncompleteWarning, match=r"no buckling loads at \d of 3 steps, load .* no potential"
+    ):
+        fx.flexure([[0, 0, 0], [0.1, 0, 0]], [[1, 2]], properties, [leaf], {"steps": 2, "frequencies": 0})
