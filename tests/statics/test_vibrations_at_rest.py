@@ -108,7 +108,7 @@ def test_modes_that_a_moment_couples_slightly_have_the_frequencies_of_the_linear
             {i: {"fixed": True} for i in (1, 2, 3)}
             | {7: {"mass": 0.3, "inertia": (1e-4, 1e-4, 2e-4), "moment": (0, 0, 0.2)}},
             [rods],
-            {"steps": 2, "frequencies": 3},
+            {"steps": 2, "frequencies": 3, "buckling": 0},
         )
     exact = stage.steps[-1].linearize().eigenvalues().imag
     lowest = np.sort(exact[exact > 0])[:3] / (2 * np.pi)
