@@ -144,8 +144,14 @@ def corrected(
     y, equations = found.point, found.equations
     for _ in range(curve.further):
         onward = move(y, equations)
-        if onward is not None:
-            y, equations = onward, evaluate(onward)[0]
+        if onward is None:
+            break
+        there, error = evaluate(onward)
+        if not error <= max(
+            curve.tolerance, found.error
+        ):  # along a motion that nothing resists; false for NaN
+            break
+        y, equations = onward, there
     point = point_at(curve, y, equations, near.tangent, found.iterations)
     return point if _follows(curve, point, guess, near, arc) else None
 

@@ -49,18 +49,25 @@ class Search:
         log.info(
             "t = %g s: %s in %d Newton iterations, error %.3g", self.t, how, result.iterations, result.error
         )
-        return self._polished(result.point, result.equations) if result.converged else None
+        return self._polished(result.point, result.equations, result.error) if result.converged else None
 
-    def _polished(self, point: Unknowns, q: Equations) -> tuple[Equations, Array]:
-        """Further steps; their lengths decide, as the residual of a stiff model is rounding before they are."""
+    def _polished(self, point: Unknowns, q: Equations, error: float) -> tuple[Equations, Array]:
+        """Further steps; their lengths decide, as the residual of a stiff model is rounding before they are.
+
+        A step that enlarges the residual is not kept: along a motion that nothing resists any more at the equilibrium
+        (the spin of a pendulum that hangs), a step is rounding divided by rounding.
+        """
         last = np.inf
         for _ in range(POLISHING if q.matrix.factors.regular else 0):  # a free motion is handled elsewhere
             step = self._step(q)
             size = self.problem.extent(step)
             if not ROUNDING < size < min(0.5 * last, STEP):
                 break
-            point, last = self._moved(point, q, step), size
-            q = self._evaluate(point)[0]
+            there = self._moved(point, q, step)
+            better, left = self._evaluate(there)
+            if not left <= max(CONVERGED, error):  # false for NaN
+                break
+            point, q, last, error = there, better, size, left
         return q, point[1]
 
     def _evaluate(self, point: Unknowns) -> tuple[Equations, float]:

@@ -153,6 +153,20 @@ def test_a_pendulum_drawn_askew_finds_its_way_down() -> None:
     assert state.force("O.z") == pytest.approx(2.0 * length * 9.81, rel=1e-12)
 
 
+def test_a_pendulum_that_may_spin_about_the_vertical_hangs_in_a_position_it_can_take() -> None:
+    """Nothing resists its spin where it hangs: the last steps there are rounding divided by rounding."""
+    m = fx.Model(gravity=(0.0, 0.0, -9.81))
+    arm = np.array([0.195, 0.02, -0.04])
+    m.point("O", (0.0, 0.0, 0.0), fixed=True)
+    m.frame("R")
+    m.body_point("arm", "O", "R", m.point("P", arm))
+    m.body("bob", "P", "R", mass=0.5, inertia=(0.02, 0.02, 0.004, 0.0, 0.0, 0.0), offset=(0.0, 0.0, 0.0))
+    rest = m.build().equilibrium()
+    np.testing.assert_allclose(rest.position("P"), (0, 0, -np.linalg.norm(arm)), atol=1e-12)
+    parameters = np.array([rest[f"R.lambda{i}"] for i in range(4)])
+    assert np.linalg.norm(parameters) == pytest.approx(1.0, abs=1e-13)
+
+
 def test_a_hanging_rod_vibrates_about_its_equilibrium_if_no_state_is_given() -> None:
     m = fx.Model(gravity=(0, 0, -9.81))
     r1 = m.frame("R1")
