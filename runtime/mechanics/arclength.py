@@ -147,9 +147,7 @@ def corrected(
         if onward is None:
             break
         there, error = evaluate(onward)
-        if not error <= max(
-            curve.tolerance, found.error
-        ):  # along a motion that nothing resists; false for NaN
+        if not error <= max(curve.tolerance, found.error):  # false for NaN; where nothing resists a motion
             break
         y, equations = onward, there
     point = point_at(curve, y, equations, near.tangent, found.iterations)
