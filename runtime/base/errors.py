@@ -62,6 +62,10 @@ class Interrupted(KeyboardInterrupt):  # noqa: N818 - it is no error
         super().__init__(message)
         self.motion = motion
 
+    def __reduce__(self) -> tuple[type[Interrupted], tuple[str, Motion]]:
+        """How it travels between processes."""
+        return Interrupted, (str(self), self.motion)
+
 
 class CoordinateWarning(UserWarning):
     """The degrees of freedom are nearly singular at a state: the message names them, and those used in their place."""
