@@ -1,4 +1,4 @@
-"""Forward dynamics in minimal coordinates with SciPy's integrators: RK45, LSODA, Radau and BDF.
+"""Forward dynamics in minimal coordinates with Radau IIA, and with SciPy's integrators RK45, LSODA and BDF.
 
 The integrator is stepped here, so that the ends of its steps can be checked for their branch and events be located on
 the dense output.  The implicit ones have the Jacobian of the analytic linearization.
@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from scipy.integrate import BDF, LSODA, RK45, Radau
+from scipy.integrate import BDF, LSODA, RK45
 
 from flexel.base.arrays import Array
 from flexel.base.errors import ConstraintError, DynamicsError, FlexelError, PositionError
@@ -21,6 +21,7 @@ from flexel.integration.branch import REFUSED
 from flexel.integration.events import Event
 from flexel.integration.followed import longest_step, turning_weights
 from flexel.integration.minimal import SHORTEST, MinimalRun, Tolerances
+from flexel.integration.radau import Collocation, Radau
 from flexel.mechanics import dynamics
 from flexel.mechanics.linearize import linearize
 from flexel.mechanics.states import between, located
@@ -38,7 +39,7 @@ FLOOR = 1e-3  # that is always allowed, in natural scales: the rates are integra
 
 
 class Scipy(MinimalRun):
-    """One run of an integrator of SciPy.
+    """One run of an integrator of SciPy, or of Radau IIA.
 
     Parameters
     ----------
@@ -87,6 +88,8 @@ class Scipy(MinimalRun):
             options["first_step"] = min(self._first_step, options["max_step"], left)
         if self._implicit:
             options["jac"] = self._jacobian
+        if self.method is Radau:
+            options["collocation"] = Collocation(self.kinematics, self._choice, self.knots, y.size)
         self._solver = self._started(y, options)
         self._sign = self._sign_at(self.now)
 
