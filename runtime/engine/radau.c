@@ -2,6 +2,7 @@
 #include "radau.h"
 #include "table.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -90,7 +91,8 @@ static double iterate(flexel_radau *o, double h)
     for (size_t i = 0; i < n; i++) {
         double f[3];
         for (size_t k = 0; k < 3; k++)
-            f[k] = o->inverse[3 * k] * o->F[i] + o->inverse[3 * k + 1] * o->F[n + i] + o->inverse[3 * k + 2] * o->F[2 * n + i];
+            f[k] = o->inverse[3 * k] * o->F[i] + o->inverse[3 * k + 1] * o->F[n + i] +
+                   o->inverse[3 * k + 2] * o->F[2 * n + i];
         const double first = o->W[n + i], second = o->W[2 * n + i];
         dW[i] = f[0] - mu * o->W[i];
         complex_part[2 * i] = f[1] - (re * first - im * second);
@@ -109,29 +111,39 @@ static double iterate(flexel_radau *o, double h)
     return sqrt(sum / (3 * (double)n));
 }
 
+/* Whether the iteration goes on after a change of some size, relative to what is allowed; `before` is that of the last one. */
+static int goes_on(flexel_radau *o, double size, double before)
+{
+    if (!isfinite(size))
+        return 0;
+    if (o->iterations > 1) {
+        o->rate = size / before;
+        if (o->rate >= 1)
+            return 0;
+        o->left = o->rate / (1 - o->rate);
+        const double more = (double)(FLEXEL_RADAU_ITERATIONS - o->iterations);
+        if (pow(o->rate, more) / (1 - o->rate) * size > o->tolerance)
+            return 0;
+    }
+    o->converged = o->left * size <= o->tolerance;
+    return !o->converged;
+}
+
 int flexel_radau_step(flexel_work *s, flexel_choice *c, flexel_radau *o, double t, double h)
 {
-    double before = 0;
+    double size = 0, before;
     transform(o->ny, o->inverse, o->Z, o->W);
     o->converged = 0;
     o->rate = 0;
-    for (o->iterations = 1; o->iterations <= FLEXEL_RADAU_ITERATIONS; o->iterations++) {
+    o->iterations = 0;
+    o->left = pow(fmax(o->left, DBL_EPSILON), 0.8); /* less sure of what an earlier step has shown */
+    do {
         const int failed = rates(s, c, o, t, h);
         if (failed)
             return failed;
-        const double size = iterate(o, h);
-        if (!isfinite(size))
-            return FLEXEL_DONE;
-        if (o->iterations > 1) {
-            o->rate = size / before;
-            const double left = (double)(FLEXEL_RADAU_ITERATIONS - o->iterations);
-            if (o->rate >= 1 || pow(o->rate, left) / (1 - o->rate) * size > o->tolerance)
-                return FLEXEL_DONE;
-        }
-        o->converged = size == 0 || (o->iterations > 1 && o->rate / (1 - o->rate) * size < o->tolerance);
-        if (o->converged)
-            return FLEXEL_DONE;
         before = size;
-    }
+        size = iterate(o, h);
+        o->iterations++;
+    } while (goes_on(o, size, before) && o->iterations < FLEXEL_RADAU_ITERATIONS);
     return FLEXEL_DONE;
 }

@@ -8,6 +8,7 @@ from __future__ import annotations
 from typing import Any, Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.linalg import get_lapack_funcs
 from scipy.sparse import csc_array, eye_array, issparse
 from scipy.sparse.linalg import splu
@@ -64,6 +65,19 @@ def eigenvalues(A: Array) -> ComplexArray:
     if info:
         raise np.linalg.LinAlgError("the eigenvalues did not converge")
     return np.asarray(real + 1j * imaginary)
+
+
+def shifted_factors(A: Array, shift: complex) -> tuple[NDArray[Any], NDArray[np.int32]] | None:
+    """LU factors of `shift` 1 - A, column by column, and the row interchanges, for a shift that is real or complex.
+
+    None if the matrix is singular or not finite.
+    """
+    matrix = np.array(-A, dtype=np.result_type(shift), order="F")
+    matrix.flat[:: len(A) + 1] += shift
+    factors, pivots, info = get_lapack_funcs("getrf", (matrix,))(matrix, overwrite_a=True)
+    if info or not np.isfinite(factors).all():
+        return None
+    return np.ascontiguousarray(factors.T), pivots.astype(np.int32)
 
 
 def least(A: Array, b: Array, rcond: float) -> Array:

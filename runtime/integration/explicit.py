@@ -21,7 +21,8 @@ from flexel.integration.branch import REFUSED
 from flexel.integration.events import Event
 from flexel.integration.followed import longest_step, turning_weights
 from flexel.integration.minimal import SHORTEST, MinimalRun, Tolerances
-from flexel.integration.radau import Collocation, Radau
+from flexel.integration.radau import Radau
+from flexel.integration.radau_steps import Collocation
 from flexel.mechanics import dynamics
 from flexel.mechanics.linearize import linearize
 from flexel.mechanics.states import between, located
@@ -89,9 +90,24 @@ class Scipy(MinimalRun):
         if self._implicit:
             options["jac"] = self._jacobian
         if self.method is Radau:
-            options["collocation"] = Collocation(self.kinematics, self._choice, self.knots, y.size)
+            options |= self._continued(y, left)
         self._solver = self._started(y, options)
         self._sign = self._sign_at(self.now)
+
+    def _continued(self, y: Array, left: float) -> dict[str, Any]:
+        """Options of Radau: the engine's part, and what is known from the solver before."""
+        before = self._solver
+        same = before is not None and before.collocation.choice is self._choice
+        found: dict[str, Any] = {
+            "collocation": before.collocation
+            if same
+            else Collocation(self.kinematics, self._choice, self.knots, y.size)
+        }
+        if same:
+            found["before"] = before
+        if before is not None and not self._first_step:
+            found["first_step"] = min(before.h_abs, left)
+        return found
 
     def jump(self, z: Array) -> None:
         """Continue from here with other internal states."""

@@ -1,0 +1,155 @@
+"""Single steps of Radau IIA of order 5 in C, and their dense output.
+
+Source: Hairer and Wanner (1996), IV.5 and IV.8.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from flexel.base.arrays import Array
+from flexel.base.copies import Portable
+from flexel.engine.choice import Choice
+from flexel.engine.solvers import shifted_factors
+from flexel.engine.structs import Struct
+from flexel.generated._kernels import ffi, lib
+from flexel.integration.knots import Knots
+from flexel.mechanics.kinematics import Kinematics
+
+S6 = 6**0.5
+C = np.array([(4 - S6) / 10, (4 + S6) / 10, 1.0])
+MATRIX = np.array(
+    [
+        [(88 - 7 * S6) / 360, (296 - 169 * S6) / 1800, (-2 + 3 * S6) / 225],
+        [(296 + 169 * S6) / 1800, (88 + 7 * S6) / 360, (-2 - 3 * S6) / 225],
+        [(16 - S6) / 36, (16 + S6) / 36, 1 / 9],
+    ]
+)
+COLLOCATION = np.linalg.inv(C[:, None] ** np.arange(1, 4))  # powers of time of the polynomial through the stages
+ESTIMATE = -COLLOCATION[0]  # (8.19), divided by the real eigenvalue: the defect of the polynomial at the start
+# powers of time of 10 times the integral of (s - c1)(s - c2)(s - 1), which is zero at both ends
+CORRECTION = np.array([-1.0, 4.5, -6.0, 2.5])
+POWERS = np.arange(1, 5)
+
+
+def _decoupled() -> tuple[Array, float, complex]:
+    """T of the inverse of the matrix of the method, and its real and complex eigenvalue."""
+    values, vectors = np.linalg.eig(np.linalg.inv(MATRIX))
+    real, pair = int(np.argmin(np.abs(values.imag))), int(np.argmax(values.imag))
+    T = np.column_stack([vectors[:, real].real, vectors[:, pair].real, -vectors[:, pair].imag])
+    return np.ascontiguousarray(T), float(values[real].real), complex(values[pair])
+
+
+T, REAL, PAIR = _decoupled()
+
+
+class Collocation(Struct):
+    """The struct of radau.h for one choice of degrees of freedom.
+
+    Attributes
+    ----------
+    y, scale : ndarray (ny,)
+        The start of the step, and the allowed error.
+    Z : ndarray (3, ny)
+        Changes up to the stages: first a guess, then what was found.
+    """
+
+    def __init__(self, kinematics: Kinematics, choice: Choice, knots: Knots, size: int) -> None:
+        super().__init__(ffi.new("flexel_radau *"))
+        self.kinematics, self.choice, self._knots = kinematics, choice, knots
+        c = self.struct
+        c.ny, c.mu, c.left = size, REAL, 1.0
+        c.pair[0], c.pair[1] = PAIR.real, PAIR.imag
+        for name, array in (("T", T), ("inverse", np.linalg.inv(T)), ("C", C)):
+            setattr(c, name, self.pointer(np.ascontiguousarray(array)))
+        self.y, self.scale = self.new("y", size), self.new("scale", size)
+        self.Z, _, _ = (self.new(name, 3 * size).reshape(3, size) for name in ("Z", "W", "F"))
+        self.new("space", 3 * size)
+        c.ngiven = choice.motion.size + choice.loads.size
+        self._given = self.new("given", 3 * c.ngiven).reshape(3, -1)
+        self._factors: tuple[Any, ...] = ()
+
+    def factorize(self, J: Array, h: float) -> bool:  # noqa: N803
+        """Factors of (μ/h) 1 - J for a step of length h; whether both matrices are regular."""
+        c = self.struct
+        real, pair = shifted_factors(J, REAL / h), shifted_factors(J, PAIR / h)
+        if real is None or pair is None:
+            return False
+        factors, pivots = ("real_factors", "complex_factors"), ("real_pivots", "complex_pivots")
+        self._factors = *(ffi.from_buffer("double[]", found[0].view(float)) for found in (real, pair)),
+        self._factors += *(ffi.from_buffer("int[]", found[1]) for found in (real, pair)),
+        for name, pointer in zip((*factors, *pivots), self._factors, strict=True):
+            setattr(c, name, pointer)
+        return True
+
+    def solve(self, b: Array) -> Array:
+        """x of ((μ/h) 1 - J) x = b for the real μ."""
+        x, c = np.array(b), self.struct
+        lib.flexel_radau_solve(x.size, c.real_factors, c.real_pivots, ffi.from_buffer("double[]", x))
+        return x
+
+    def step(self, t: float, h: float) -> bool:
+        """Find the stages of a step from y, the guess in Z; whether the iteration converges.
+
+        Raises
+        ------
+        PositionError, ConstraintError, InertiaError
+            If a stage cannot be evaluated.
+        """
+        self._give(t, h)
+        work, choice = self.choice.work.struct, self.choice.struct
+        self.kinematics.check(lib.flexel_radau_step(work, choice, self.struct, t, h), t + h, self.choice)
+        return bool(self.struct.converged)
+
+    def _give(self, t: float, h: float) -> None:
+        """The prescribed motions and loads at the stages."""
+        motions, loads = self.kinematics.roles.motions, self.kinematics.loads
+        split = self.choice.motion.size
+        for i in range(3) if motions or loads.any else ():
+            time = self._knots.inside(t + C[i] * h)
+            if motions:
+                self._given[i, :split] = self.kinematics.roles.motion(time).ravel()
+            if loads.any:
+                self._given[i, split:] = loads.values(time)
+
+
+@dataclass(frozen=True)
+class Polynomial(Portable):
+    """Dense output of a step: the collocation polynomial, corrected so that its rates at the start are right too.
+
+    The defect of the collocation polynomial is a multiple of (s - c1)(s - c2)(s - 1) to its leading order, and known
+    at the start from the estimate of the error.  Its integral is subtracted: the local error is of order 5 instead of 4,
+    and stiff components are filtered as in the estimate.
+
+    Attributes
+    ----------
+    t, h : float
+        Start and length of the step [s].
+    y : ndarray (ny,)
+        Values at its start.
+    coefficients : ndarray (4, ny)
+        Of the powers 1 to 4 of the part of the step that has passed.
+    end : ndarray (ny,)
+        Values at its end.
+    """
+
+    t: float
+    h: float
+    y: Array
+    coefficients: Array
+    end: Array
+
+    @classmethod
+    def through(cls, t: float, h: float, y: Array, Z: Array, estimate: Array) -> Polynomial:  # noqa: N803
+        """The one through the stages y + Z (3, ny), with the estimate of the error (ny,)."""
+        coefficients = np.outer(CORRECTION, -REAL * estimate)
+        coefficients[:3] += COLLOCATION @ Z
+        return cls(t, h, y, coefficients, y + Z[2])
+
+    def __call__(self, t: float) -> Array:
+        """Values (ny,) at a time [s]."""
+        part = (t - self.t) / self.h
+        return self.end if part == 1.0 else np.asarray(self.y + part**POWERS @ self.coefficients)
