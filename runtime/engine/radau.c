@@ -2,7 +2,6 @@
 #include "radau.h"
 #include "table.h"
 
-#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -111,22 +110,22 @@ static double iterate(flexel_radau *o, double h)
     return sqrt(sum / (3 * (double)n));
 }
 
-/* Whether the iteration goes on after a change of some size, relative to what is allowed; `before` is that of the last one. */
+/* Whether the iteration goes on after a change of some size, relative to what is allowed; `before` is that of the last one.
+ * It converges after two iterations at the earliest: with a rate that an earlier step has shown, one is too uncertain. */
 static int goes_on(flexel_radau *o, double size, double before)
 {
-    if (!isfinite(size))
+    if (!isfinite(size) || (o->iterations > 1 && size >= before && size > 0))
         return 0;
-    if (o->iterations > 1) {
-        o->rate = size / before;
-        if (o->rate >= 1)
-            return 0;
-        o->left = o->rate / (1 - o->rate);
-        const double more = (double)(FLEXEL_RADAU_ITERATIONS - o->iterations);
-        if (pow(o->rate, more) / (1 - o->rate) * size > o->tolerance)
-            return 0;
+    if (size == 0) {
+        o->converged = 1;
+        return 0;
     }
-    o->converged = o->left * size <= o->tolerance;
-    return !o->converged;
+    if (o->iterations == 1)
+        return 1;
+    o->rate = size / before;
+    const double rest = size / (1 - o->rate), more = (double)(FLEXEL_RADAU_ITERATIONS - o->iterations);
+    o->converged = o->rate * rest < o->tolerance;
+    return !o->converged && pow(o->rate, more) * rest <= o->tolerance;
 }
 
 int flexel_radau_step(flexel_work *s, flexel_choice *c, flexel_radau *o, double t, double h)
@@ -136,7 +135,6 @@ int flexel_radau_step(flexel_work *s, flexel_choice *c, flexel_radau *o, double 
     o->converged = 0;
     o->rate = 0;
     o->iterations = 0;
-    o->left = pow(fmax(o->left, DBL_EPSILON), 0.8); /* less sure of what an earlier step has shown */
     do {
         const int failed = rates(s, c, o, t, h);
         if (failed)

@@ -25,8 +25,6 @@ typedef struct {
     const double *y;                 /* at the start */
     double *Z, *W, *F;               /* (3, ny); Z: first a guess, then what was found */
     double *space;                   /* (3 ny) */
-    /* kept from step to step: an iteration leaves at most this multiple of its last change */
-    double left;
     /* found: whether it has converged, its rate, how many iterations and evaluations */
     int converged;
     double rate;

@@ -144,7 +144,6 @@ class Radau:
     def _evaluate_jacobian(self) -> None:
         self._J = self._jac(self.t, self.y)
         self._current, self._factorized = True, 0.0
-        self.collocation.struct.left = 1.0  # nothing is known of the convergence
 
     def _error(self, h: float, careful: bool) -> tuple[float, Array]:
         """The error relative to what is allowed, filtered once more after a refused step (8.20); and its estimate."""

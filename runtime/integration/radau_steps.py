@@ -61,7 +61,7 @@ class Collocation(Struct):
         super().__init__(ffi.new("flexel_radau *"))
         self.kinematics, self.choice, self._knots = kinematics, choice, knots
         c = self.struct
-        c.ny, c.mu, c.left = size, REAL, 1.0
+        c.ny, c.mu = size, REAL
         c.pair[0], c.pair[1] = PAIR.real, PAIR.imag
         for name, array in (("T", T), ("inverse", np.linalg.inv(T)), ("C", C)):
             setattr(c, name, self.pointer(np.ascontiguousarray(array)))
