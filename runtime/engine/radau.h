@@ -22,7 +22,7 @@ typedef struct {
     /* factors by columns and pivots, as LAPACK gives them, of the real matrix and the complex one */
     const double *real_factors, *complex_factors;
     const int *real_pivots, *complex_pivots;
-    const double *y;                 /* at the start */
+    double *y;                       /* at the start */
     double *Z, *W, *F;               /* (3, ny); Z: first a guess, then what was found */
     double *space;                   /* (3 ny) */
     /* found: whether it has converged, its rate, how many iterations and evaluations */

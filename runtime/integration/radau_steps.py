@@ -6,7 +6,6 @@ Source: Hairer and Wanner (1996), IV.5 and IV.8.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -70,19 +69,19 @@ class Collocation(Struct):
         self.new("space", 3 * size)
         c.ngiven = choice.motion.size + choice.loads.size
         self._given = self.new("given", 3 * c.ngiven).reshape(3, -1)
-        self._factors: tuple[Any, ...] = ()
+        self._factors = [
+            (self.new(f"{name}_factors", count * size * size), np.zeros(size, dtype=np.int32))
+            for name, count in (("real", 1), ("complex", 2))
+        ]
+        c.real_pivots, c.complex_pivots = (self.integers(pivots) for _, pivots in self._factors)
 
     def factorize(self, J: Array, h: float) -> bool:  # noqa: N803
         """Factors of (μ/h) 1 - J for a step of length h; whether both matrices are regular."""
-        c = self.struct
-        real, pair = shifted_factors(J, REAL / h), shifted_factors(J, PAIR / h)
-        if real is None or pair is None:
-            return False
-        factors, pivots = ("real_factors", "complex_factors"), ("real_pivots", "complex_pivots")
-        self._factors = *(ffi.from_buffer("double[]", found[0].view(float)) for found in (real, pair)),
-        self._factors += *(ffi.from_buffer("int[]", found[1]) for found in (real, pair)),
-        for name, pointer in zip((*factors, *pivots), self._factors, strict=True):
-            setattr(c, name, pointer)
+        found = shifted_factors(J, REAL / h), shifted_factors(J, PAIR / h)
+        for part, (factors, pivots) in zip(found, self._factors, strict=True):
+            if part is None:
+                return False
+            factors[:], pivots[:] = part[0].view(float).ravel(), part[1]
         return True
 
     def solve(self, b: Array) -> Array:

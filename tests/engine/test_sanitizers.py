@@ -20,11 +20,13 @@ from flexel.examples.bicycle import bicycle, kick
 from flexel.generated._kernels import ffi, lib
 from flexel.integration.dop853_steps import Steps
 from flexel.integration.knots import Knots
+from flexel.integration.radau_steps import Collocation
+from flexel.structure.moment import Moment
 
 ROOT = Path(__file__).parents[2]
 ENGINE, GENERATED = ROOT / "runtime" / "engine", ROOT / "generated"
 DRIVER = Path(__file__).parent / "threads" / "driver.c"
-STEP, STEPS = 1e-3, 20  # as in the driver
+STEP, SHORT, STEPS = 1e-3, 1e-5, 20  # as in the driver
 THREADS = 8
 KINDS = "thread", "address"
 CLEAN = os.environ | {"LD_PRELOAD": "", "TSAN_OPTIONS": "", "ASAN_OPTIONS": "", "UBSAN_OPTIONS": ""}
@@ -74,20 +76,29 @@ def slipping() -> tuple[fx.System, fx.State]:
 MODELS = {z.__name__: z for z in (rolling, hanging, slipping)}
 
 
-def prepared(system: fx.System, start: fx.State) -> list[Steps]:
-    """Steps of as many threads, each in its own workspace."""
+Methods = tuple[Steps, Collocation]
+
+
+def prepared(system: fx.System, start: fx.State) -> list[Methods]:
+    """Steps of both methods for as many threads, each in its own workspace."""
     y, begin = np.concatenate([start.q, start.qd, start.z]), Barrier(THREADS)
 
-    def own(_: int) -> Steps:
+    def own(_: int) -> Methods:
         begin.wait()
-        return Steps(system.kinematics, start, y, 1e-8, np.full(y.size, 1e-10), Knots(system, 0.0, 1.0))
+        knots = Knots(system, 0.0, 1.0)
+        explicit = Steps(system.kinematics, start, y, 1e-8, np.full(y.size, 1e-10), knots)
+        stages = Collocation(system.kinematics, explicit.choice, knots, y.size)
+        stages.factorize(np.zeros((y.size, y.size)), SHORT)
+        stages.scale[:], stages.struct.tolerance = 1.0, 1e-12
+        return explicit, stages
 
     with ThreadPoolExecutor(THREADS) as pool:
         return list(pool.map(own, range(THREADS)))
 
 
-def moved(own: Steps) -> Array:
+def moved(methods: Methods) -> Array:
     """What the driver computes: state after some steps, and the derivatives of the forces there."""
+    own, stages = methods
     work, choice, run = own.choice.work.struct, own.choice.struct, own.struct
     lib.flexel_reset(work, choice)
     assert not lib.flexel_dop853_begin(work, choice, run, 0.0)
@@ -96,6 +107,10 @@ def moved(own: Steps) -> Array:
         assert not lib.flexel_dop853_step(work, choice, run, t, STEP)
         lib.flexel_dop853_accept(work, run)
         t += STEP
+    stages.y[:], stages.Z[:] = own.y, 0.0
+    at = own.choice.work
+    own.choice.warm(Moment(t, at.x.copy(), at.v.copy(), at.e.copy(), np.zeros(at.e.size)))
+    assert stages.step(t, SHORT)
     lib.flexel_complete(work, choice, 0)
     lib.flexel_rates(work)
     lib.flexel_convective(work)
@@ -110,14 +125,17 @@ def moved(own: Steps) -> Array:
     return np.concatenate([*arrays, energies, tangents.ravel()])
 
 
-def written(file: Path, steps: Sequence[Steps], workspaces: int = THREADS) -> None:
+def written(file: Path, methods: Sequence[Methods], workspaces: int = THREADS) -> None:
     """The file for the driver; with fewer workspaces, threads share them."""
-    evaluation = steps[0].kinematics.evaluation
-    roots: list[list[Struct]] = [[z.choice.work, z.choice, z] for z in steps]
+    first = methods[0][0]
+    evaluation = first.kinematics.evaluation
+    roots: list[list[Struct]] = [
+        [explicit.choice.work, explicit.choice, explicit, stages] for explicit, stages in methods
+    ]
     image = Image(evaluation.tables, [z for root in roots for z in root])
     samples = evaluation.tables.samples
     assert samples is not None
-    length = sum(z.stop - z.start for z in steps[0].choice.work._state) + 4
+    length = sum(z.stop - z.start for z in first.choice.work._state) + 4
     place, _ = image.place(samples.ctypes.data)
     image.write(file, [roots[i % workspaces] for i in range(THREADS)], place, samples.shape[1], length)
 
