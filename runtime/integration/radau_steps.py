@@ -27,8 +27,12 @@ MATRIX = np.array(
         [(16 - S6) / 36, (16 + S6) / 36, 1 / 9],
     ]
 )
-COLLOCATION = np.linalg.inv(C[:, None] ** np.arange(1, 4))  # powers of time of the polynomial through the stages
-ESTIMATE = -COLLOCATION[0]  # (8.19), divided by the real eigenvalue: the defect of the polynomial at the start
+COLLOCATION = np.linalg.inv(
+    C[:, None] ** np.arange(1, 4)
+)  # powers of time of the polynomial through the stages
+ESTIMATE = -COLLOCATION[
+    0
+]  # (8.19), divided by the real eigenvalue: the defect of the polynomial at the start
 # powers of time of 10 times the integral of (s - c1)(s - c2)(s - 1), which is zero at both ends
 CORRECTION = np.array([-1.0, 4.5, -6.0, 2.5])
 POWERS = np.arange(1, 5)

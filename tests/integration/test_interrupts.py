@@ -20,7 +20,7 @@ class Impatience:
         return 1.0
 
 
-@pytest.mark.parametrize("method", ["DOP853", "generalized-alpha"])
+@pytest.mark.parametrize("method", ["DOP853", "Radau", "generalized-alpha"])
 def test_an_interrupt_keeps_the_motion_up_to_its_last_step(method: str) -> None:
     """Also between the stored samples; it continues from there."""
     load = Impatience(0.5)
