@@ -74,14 +74,16 @@ class Motions(Core):
         samples : int
             Number of stored states.
         method : str
-            DOP853, RK45, LSODA, Radau or BDF of SciPy in minimal coordinates ("explicit" below); generalized-alpha;
-            sundials, the backward differentiation formulas of SUNDIALS, for comparison (needs the optional package
-            scikit-sundae); or auto.  This chooses DOP853, but generalized-alpha if a degree of freedom has no inertia,
+            In minimal coordinates ("explicit" below): DOP853; Radau, implicit and of order 5 (Radau IIA), for stiff
+            motions that are smooth; RK45, LSODA or BDF of SciPy.  With all coordinates: generalized-alpha; sundials,
+            the backward differentiation formulas of SUNDIALS, for comparison (needs the optional package
+            scikit-sundae).  Or auto: this chooses DOP853, but generalized-alpha if a degree of freedom has no inertia,
             if the largest eigenvalue of the linearized start times the duration exceeds 3e4, or above 300 degrees
             of freedom; with events always DOP853.  ``motion.message`` reports which and why.
         rtol : float, optional
-            Local error in one step: explicit, relative to each variable, 1e-9 by default; generalized-alpha, of
-            the coordinates in their natural scales, 1e-6; sundials, relative to each coordinate and rate, 1e-6.
+            Local error in one step: explicit, relative to each variable (Radau: to its largest value so far), 1e-9
+            by default; generalized-alpha, of the coordinates in their natural scales, 1e-6; sundials, relative to
+            each coordinate and rate, 1e-6.
         atol : float or array_like, optional
             Absolute local error in natural scales (the size of the model for lengths, one for the rest, the same in a
             second for rates): explicit, 1e-11 by default, or one for each of (q, q_d', z) if these stay the same

@@ -16,6 +16,7 @@ from scipy.sparse.linalg import splu
 from flexel.base.arrays import Array, ComplexArray
 
 _getrf: Any = get_lapack_funcs("getrf", dtype=np.float64)
+_getrf_complex: Any = get_lapack_funcs("getrf", dtype=np.complex128)
 _getrs: Any = get_lapack_funcs("getrs", dtype=np.float64)
 _gelsy: Any = get_lapack_funcs("gelsy", dtype=np.float64)
 _gesv: Any = get_lapack_funcs("gesv", dtype=np.float64)
@@ -74,7 +75,7 @@ def shifted_factors(A: Array, shift: complex) -> tuple[NDArray[Any], NDArray[np.
     """
     matrix = np.array(-A, dtype=np.result_type(shift), order="F")
     matrix.flat[:: len(A) + 1] += shift
-    factors, pivots, info = get_lapack_funcs("getrf", (matrix,))(matrix, overwrite_a=True)
+    factors, pivots, info = (_getrf_complex if np.iscomplexobj(matrix) else _getrf)(matrix, overwrite_a=True)
     if info or not np.isfinite(factors).all():
         return None
     return np.ascontiguousarray(factors.T), pivots.astype(np.int32)

@@ -14,7 +14,8 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.generated._kernels import lib
-from flexel.integration.radau_steps import ESTIMATE, C, Collocation, Polynomial
+from flexel.integration.radau_steps import Collocation, Polynomial
+from flexel.integration.radau_tableau import ESTIMATE, NODES
 
 SAFETY, SMALLEST, LARGEST, KEPT = 0.9, 0.2, 8.0, 1.2  # factors of a step; KEPT: not worth other factors
 SLOW = 1e-3  # rate of convergence from which the Jacobian is evaluated again
@@ -63,12 +64,14 @@ class Radau:
         self.nfev, self.status = 1, "running"
         self._f = rates(t, y)
         self._factorized = 0.0  # length of the step that the factors are for
+        self._largest = np.abs(y)
+        self._J = np.zeros((y.size, y.size))
+        self._current = False
         if before is None:
-            self._largest = np.abs(y)
             self._evaluate_jacobian()
         else:
-            self._largest = np.maximum(before._largest, np.abs(y))
-            self._J, self._current = before._J, False
+            self._largest = np.maximum(before._largest, self._largest)
+            self._J = before._J
         self._dense: Polynomial | None = None
         self._last: tuple[float, float] | None = None  # length and error of the last step
         self.h_abs = min(first_step or self._first(end - t), max_step, end - t)
@@ -130,7 +133,7 @@ class Radau:
                     return False
                 self._factorized = h
             dense = self._dense
-            c.Z[:] = [dense(self.t + part * h) - self.y for part in C] if dense else 0.0
+            c.Z[:] = [dense(self.t + part * h) - self.y for part in NODES] if dense else 0.0
             c.y[:], c.scale[:] = self.y, self._scale(self._largest)
             before = c.struct.evaluations
             try:

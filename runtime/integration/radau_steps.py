@@ -1,6 +1,6 @@
 """Single steps of Radau IIA of order 5 in C, and their dense output.
 
-Source: Hairer and Wanner (1996), IV.5 and IV.8.
+Source: Hairer and Wanner (1996), IV.8.
 """
 
 from __future__ import annotations
@@ -16,37 +16,10 @@ from flexel.engine.solvers import shifted_factors
 from flexel.engine.structs import Struct
 from flexel.generated._kernels import ffi, lib
 from flexel.integration.knots import Knots
+from flexel.integration.radau_tableau import COLLOCATION, CORRECTION, NODES, PAIR, REAL, T
 from flexel.mechanics.kinematics import Kinematics
 
-S6 = 6**0.5
-C = np.array([(4 - S6) / 10, (4 + S6) / 10, 1.0])
-MATRIX = np.array(
-    [
-        [(88 - 7 * S6) / 360, (296 - 169 * S6) / 1800, (-2 + 3 * S6) / 225],
-        [(296 + 169 * S6) / 1800, (88 + 7 * S6) / 360, (-2 - 3 * S6) / 225],
-        [(16 - S6) / 36, (16 + S6) / 36, 1 / 9],
-    ]
-)
-COLLOCATION = np.linalg.inv(
-    C[:, None] ** np.arange(1, 4)
-)  # powers of time of the polynomial through the stages
-ESTIMATE = -COLLOCATION[
-    0
-]  # (8.19), divided by the real eigenvalue: the defect of the polynomial at the start
-# powers of time of 10 times the integral of (s - c1)(s - c2)(s - 1), which is zero at both ends
-CORRECTION = np.array([-1.0, 4.5, -6.0, 2.5])
 POWERS = np.arange(1, 5)
-
-
-def _decoupled() -> tuple[Array, float, complex]:
-    """T of the inverse of the matrix of the method, and its real and complex eigenvalue."""
-    values, vectors = np.linalg.eig(np.linalg.inv(MATRIX))
-    real, pair = int(np.argmin(np.abs(values.imag))), int(np.argmax(values.imag))
-    T = np.column_stack([vectors[:, real].real, vectors[:, pair].real, -vectors[:, pair].imag])
-    return np.ascontiguousarray(T), float(values[real].real), complex(values[pair])
-
-
-T, REAL, PAIR = _decoupled()
 
 
 class Collocation(Struct):
@@ -66,7 +39,7 @@ class Collocation(Struct):
         c = self.struct
         c.ny, c.mu = size, REAL
         c.pair[0], c.pair[1] = PAIR.real, PAIR.imag
-        for name, array in (("T", T), ("inverse", np.linalg.inv(T)), ("C", C)):
+        for name, array in (("T", T), ("inverse", np.linalg.inv(T)), ("C", NODES)):
             setattr(c, name, self.pointer(np.ascontiguousarray(array)))
         self.y, self.scale = self.new("y", size), self.new("scale", size)
         self.Z, _, _ = (self.new(name, 3 * size).reshape(3, size) for name in ("Z", "W", "F"))
@@ -112,7 +85,7 @@ class Collocation(Struct):
         motions, loads = self.kinematics.roles.motions, self.kinematics.loads
         split = self.choice.motion.size
         for i in range(3) if motions or loads.any else ():
-            time = self._knots.inside(t + C[i] * h)
+            time = self._knots.inside(t + NODES[i] * h)
             if motions:
                 self._given[i, :split] = self.kinematics.roles.motion(time).ravel()
             if loads.any:
@@ -124,8 +97,8 @@ class Polynomial(Portable):
     """Dense output of a step: the collocation polynomial, corrected so that its rates at the start are right too.
 
     The defect of the collocation polynomial is a multiple of (s - c1)(s - c2)(s - 1) to its leading order, and known
-    at the start from the estimate of the error.  Its integral is subtracted: the local error is of order 5 instead of 4,
-    and stiff components are filtered as in the estimate.
+    at the start from the estimate of the error.  Its integral is subtracted: the local error is of order 5 instead of
+    4, and stiff components are filtered as in the estimate.
 
     Attributes
     ----------

@@ -12,16 +12,8 @@ import numpy as np
 from flexel.base.arrays import Array, ComplexArray
 from flexel.base.blas import one_thread
 from flexel.base.errors import LinearizationError
+from flexel.integration.radau_tableau import NODES, WEIGHTS
 
-_R = np.sqrt(6.0)
-NODES = np.array([(4 - _R) / 10, (4 + _R) / 10, 1.0])
-WEIGHTS = np.array(
-    [
-        [(88 - 7 * _R) / 360, (296 - 169 * _R) / 1800, (-2 + 3 * _R) / 225],
-        [(296 + 169 * _R) / 1800, (88 + 7 * _R) / 360, (-2 - 3 * _R) / 225],
-        [(16 - _R) / 36, (16 + _R) / 36, 1 / 9],
-    ]
-)
 FIRST, MOST = 64, 4096  # steps per period
 BATCH = 64  # steps computed together; limits memory
 

@@ -12,7 +12,7 @@ import flexel as fx
 from flexel.derive import Internal, Law, Parameter, symbol
 from flexel.engine.solvers import shifted_factors
 from flexel.examples.bicycle import bicycle, kick
-from flexel.integration.radau_steps import CORRECTION, MATRIX, PAIR, REAL, C, T
+from flexel.integration.radau_tableau import CORRECTION, NODES, PAIR, REAL, WEIGHTS, T
 
 STIFF = 50.0  # of Van der Pol's equation
 W = 2.0  # of the oscillator [rad/s]
@@ -62,13 +62,13 @@ def pendulum() -> fx.System:
 def test_the_coefficients_are_those_of_the_method() -> None:
     """Collocation: the stages integrate powers of time exactly, up to the second; the end up to the fourth."""
     for k in range(1, 4):
-        assert MATRIX @ C ** (k - 1) == pytest.approx(C**k / k, abs=1e-15)
-    assert [MATRIX[2] @ C ** (k - 1) * k for k in range(1, 6)] == pytest.approx(np.ones(5), abs=1e-15)
+        assert WEIGHTS @ NODES ** (k - 1) == pytest.approx(NODES**k / k, abs=1e-15)
+    assert [WEIGHTS[2] @ NODES ** (k - 1) * k for k in range(1, 6)] == pytest.approx(np.ones(5), abs=1e-15)
     blocks = np.array([[REAL, 0, 0], [0, PAIR.real, -PAIR.imag], [0, PAIR.imag, PAIR.real]])
-    assert np.linalg.inv(T) @ np.linalg.inv(MATRIX) @ T == pytest.approx(blocks, abs=1e-13)
+    assert np.linalg.inv(T) @ np.linalg.inv(WEIGHTS) @ T == pytest.approx(blocks, abs=1e-13)
     assert REAL == pytest.approx(3 + 3 ** (2 / 3) - 3 ** (1 / 3), rel=1e-14)  # (8.8)
     slope = np.polynomial.Polynomial([0, *CORRECTION]).deriv()
-    assert [slope(c) for c in C] == pytest.approx([0, 0, 0], abs=1e-14)
+    assert [slope(c) for c in NODES] == pytest.approx([0, 0, 0], abs=1e-14)
 
 
 def test_factors_with_a_shift_are_none_if_the_matrix_is_singular_or_not_finite() -> None:
@@ -170,7 +170,7 @@ def test_a_bicycle_rolls_as_with_the_other_method() -> None:
 
 
 def test_a_flexible_crank_that_is_driven() -> None:
-    """Two beams turned by a prescribed angle: against DOP853, whose steps are limited by their longitudinal vibration."""
+    """Two beams turned by a prescribed angle: against DOP853, whose steps their longitudinal vibration limits."""
     m = fx.Model(gravity=(0, -9.81))
     m.point("P0", (0, 0), fixed=True)
     m.angle("R0")
