@@ -101,7 +101,8 @@ class Scipy(MinimalRun):
         found: dict[str, Any] = {
             "collocation": before.collocation
             if same
-            else Collocation(self.kinematics, self._choice, self.knots, y.size)
+            else Collocation(self.kinematics, self._choice, self.knots, y.size),
+            "shortest": SHORTEST * self._span,
         }
         if same:
             found["before"] = before

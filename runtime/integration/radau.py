@@ -13,6 +13,7 @@ from collections.abc import Callable
 import numpy as np
 
 from flexel.base.arrays import Array
+from flexel.engine.finite import TangentError
 from flexel.generated._kernels import lib
 from flexel.integration.radau_steps import Collocation, Polynomial
 from flexel.integration.radau_tableau import ESTIMATE, NODES
@@ -34,7 +35,7 @@ class Radau:
         The start, and the last time [s].
     rtol, atol : float, ndarray (ny,)
         Error relative to the largest values so far, and in the units of y.
-    max_step, first_step : float
+    max_step, first_step, shortest : float
         Steps [s].
     jac : callable (t, y) -> ndarray (ny, ny)
     collocation : Collocation
@@ -53,10 +54,11 @@ class Radau:
         max_step: float,
         jac: Callable[[float, Array], Array],
         collocation: Collocation,
+        shortest: float,
         first_step: float | None = None,
         before: Radau | None = None,
     ) -> None:
-        self._rates, self._jac, self.collocation = rates, jac, collocation
+        self._rates, self._jac, self.collocation, self._shortest = rates, jac, collocation, shortest
         self.t, self.y, self.t_bound, self.max_step = t, y, end, max_step
         self._rtol = 0.1 * rtol ** (2 / 3)
         self._atol = self._rtol * (atol / rtol)
@@ -67,6 +69,7 @@ class Radau:
         self._largest = np.abs(y)
         self._J = np.zeros((y.size, y.size))
         self._current = False
+        self._no_slope: TangentError | None = None
         if before is None:
             self._evaluate_jacobian()
         else:
@@ -97,13 +100,17 @@ class Radau:
         ------
         PositionError, ConstraintError, InertiaError
             If a stage cannot be evaluated.
+        TangentError
+            If the steps become too short where a law has no slope.
         """
         rejected, wished = False, self.h_abs
-        least = 10 * abs(np.nextafter(self.t, np.inf) - self.t)
+        least = max(self._shortest, 10 * abs(np.nextafter(self.t, np.inf) - self.t))
         while True:
             left = self.t_bound - self.t
             h = self.h_abs = min(self.h_abs, self.max_step, left)
             if h < least and h < left:
+                if self._no_slope:
+                    raise self._no_slope
                 self.status = "failed"
                 return "the step has become too short"
             if not self._stages(h):
@@ -145,7 +152,11 @@ class Radau:
             self._evaluate_jacobian()
 
     def _evaluate_jacobian(self) -> None:
-        self._J = self._jac(self.t, self.y)
+        """The Jacobian here; where a law has no slope, the last one serves, with shorter steps if need be."""
+        try:
+            self._J, self._no_slope = self._jac(self.t, self.y), None
+        except TangentError as error:
+            self._no_slope = error
         self._current, self._factorized = True, 0.0
 
     def _error(self, h: float, careful: bool) -> tuple[float, Array]:

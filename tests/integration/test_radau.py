@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import sympy as sp
 from controlled import carriage, spring_law
 from scipy.integrate import solve_ivp
 
@@ -230,3 +231,30 @@ def test_a_sampled_controller_does_not_shorten_the_steps() -> None:
     start = s.state_at(rates={"A.x": 0.3})
     counts = [s.simulate(t, start=start, method="Radau").statistics["steps"] for t in (1.0, 3.0)]
     assert counts[1] - counts[0] == 40
+
+
+def test_a_law_that_has_no_slope_where_the_motion_starts_or_passes() -> None:
+    """Dry friction that grows with the root of the speed, from rest: against DOP853."""
+    m = along_x()
+    m.law(
+        "bar.elongation",
+        lambda e, ed: 4 * e + 0.1 * sp.sign(ed) * sp.sqrt(sp.Abs(ed)),
+        energy=lambda e: 2 * e**2,
+    )
+    m.initial("bar.elongation", 0.2)
+    s = m.build()
+    exact = s.simulate(5.0, samples=11, method="DOP853", rtol=1e-10)
+    found = s.simulate(5.0, samples=11, method="Radau", rtol=1e-7)
+    assert np.max(np.abs(found["bar.elongation"] - exact["bar.elongation"])) < 1e-6
+
+
+def test_a_law_without_a_slope_is_named_if_no_step_succeeds_without_it() -> None:
+    """A period of 1e-12 s, where only the slope would allow longer steps."""
+    m = along_x()
+    m.spring("bar.elongation", 1e25)
+    m.point("B", (2, 0), fixed=True)
+    m.truss("other", "A", "B")
+    m.law("other.elongation", lambda e, ed: sp.sqrt(sp.Abs(e)))
+    m.initial("A.x", rate=1.0)
+    with pytest.raises(fx.DynamicsError, match="other.elongation"):
+        m.build().simulate(1.0, method="Radau")
