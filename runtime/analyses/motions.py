@@ -77,8 +77,11 @@ class Motions(Core):
             DOP853, RK45, LSODA, Radau or BDF of SciPy in minimal coordinates ("explicit" below); generalized-alpha;
             sundials, the backward differentiation formulas of SUNDIALS, for comparison (needs the optional package
             scikit-sundae); or auto.  This chooses DOP853, but generalized-alpha if a degree of freedom has no inertia,
-            if the largest eigenvalue of the linearized start times the duration exceeds 3e4, or above 300 degrees
-            of freedom; with events always DOP853.  ``motion.message`` reports which and why.
+            above 300 degrees of freedom, or if the motion is stiff: the largest eigenvalue of the linearized start
+            times the duration exceeds 3e4 (900 000 divided by the number of degrees of freedom where these are more
+            than 30), and 100 times the radians that any method must follow (those of modes whose amplitude at the
+            start exceeds a thousandth of the motion or that are unstable, of rotations, and knots of tables).  With
+            events always DOP853.  ``motion.message`` reports which and why.
         rtol : float, optional
             Local error in one step: explicit, relative to each variable, 1e-9 by default; generalized-alpha, of
             the coordinates in their natural scales, 1e-6; sundials, relative to each coordinate and rate, 1e-6.
