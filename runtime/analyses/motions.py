@@ -15,6 +15,7 @@ from flexel.base.arguments import flag
 from flexel.base.arrays import Array
 from flexel.base.errors import FlexelError
 from flexel.integration import methods
+from flexel.integration.consistent import check_rates
 from flexel.integration.dop853 import Dop853
 from flexel.integration.driver import Run
 from flexel.integration.events import Event, checked
@@ -120,8 +121,8 @@ class Motions(Core):
         Raises
         ------
         ModelError
-            An option that the method does not have; a load or a prescribed motion without a value; a checkpoint of
-            another simulation.
+            An option that the method does not have; a load or a prescribed motion without a value; a prescribed motion
+            whose rates are not those of its values; a checkpoint of another simulation.
         FlexelError
             A checkpoint that cannot be written: before the first step, or later; ``error.motion`` then holds the
             motion.
@@ -216,6 +217,7 @@ class Motions(Core):
         methods.check(method, options)
         begin = methods.start_of(self, method, start, options)
         grid = stored_times(begin, duration, times, samples, "simulate")
+        check_rates(self, begin.t, begin.t + float(duration))
         if method != methods.AUTO:
             return method, "", begin, grid, options
         chosen, why = methods.automatic(self, begin, float(duration), options)
