@@ -22,6 +22,7 @@ SAFETY, SMALLEST, LARGEST, KEPT = 0.9, 0.2, 8.0, 1.2  # factors of a step; KEPT:
 SLOW = 1e-3  # rate of convergence from which the Jacobian is evaluated again
 ORDER = 4  # of the local error, by which steps are chosen
 FIRST = 1e-6  # first step, relative to the time left, where the rates say nothing
+LEAST_FIRST = 1e-9  # the same at least: values of y that are rounding errors, or zero, ask for less
 LEAST = 1e-2  # error of a step that the prediction of the next one uses at least
 
 
@@ -83,7 +84,8 @@ class Radau:
         """A first step [s] in which y changes by a hundredth of itself."""
         scale = self._scale(self._largest)
         value, rate = _norm(self.y / scale), _norm(self._f / scale)
-        return 0.01 * value / rate if value > 1e-5 and rate > 1e-5 else FIRST * left
+        known = value > 1e-5 and rate > 1e-5
+        return max(0.01 * value / rate, LEAST_FIRST * left) if known else FIRST * left
 
     def _scale(self, largest: Array) -> Array:
         return np.asarray(self._atol + self._rtol * largest)
