@@ -158,6 +158,8 @@ class Scipy(MinimalRun):
             self.restart()
         solver = self._solver
         solver.max_step = self._longest()
+        if isinstance(solver, Radau):
+            solver.enlarged = max(1.0, self.reached / max(1.0, self.choices.best))
         try:
             message: str | None = solver.step()
             if solver.status == "failed":

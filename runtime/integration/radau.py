@@ -1,8 +1,8 @@
 """Radau IIA of order 5 in minimal coordinates: the control of its steps, which are taken in C.
 
 The Jacobian is that of the analytic linearization, and kept while the iteration converges.  The step control is
-predictive.  The error estimate is of order 3 and the method of order 5, so that the tolerance of the estimate is
-0.1 rtol^(2/3), as in the program RADAU5.
+predictive.  With steps of length h the estimates of the local error are of order h^4, and the error of the motion is of
+order h^5: so the tolerance of the estimate is TIGHT rtol^(4/5), and the error is proportional to rtol.
 Source: Hairer and Wanner (1996), IV.8; Gustafsson (1994).
 """
 
@@ -20,6 +20,7 @@ from flexel.integration.radau_tableau import ESTIMATE, NODES
 
 SAFETY, SMALLEST, LARGEST, KEPT = 0.9, 0.2, 8.0, 1.2  # factors of a step; KEPT: not worth other factors
 SLOW = 1e-3  # rate of convergence from which the Jacobian is evaluated again
+TIGHT = 0.25  # the program RADAU5 has 0.1 rtol^(2/3), which is the same at 1e-3 and looser below
 ORDER = 4  # of the local error, by which steps are chosen
 FIRST = 1e-6  # first step, relative to the time left, where the rates say nothing
 LEAST_FIRST = 1e-9  # the same at least: values of y that are rounding errors, or zero, ask for less
@@ -42,7 +43,14 @@ class Radau:
     collocation : Collocation
     before : Radau, optional
         The solver that this one continues in the same variables: its Jacobian is tried first.
+
+    Attributes
+    ----------
+    enlarged : float
+        How much more the coordinates change with these variables than with the best ones: errors are so much larger.
     """
+
+    enlarged = 1.0
 
     def __init__(
         self,
@@ -61,7 +69,7 @@ class Radau:
     ) -> None:
         self._rates, self._jac, self.collocation, self._shortest = rates, jac, collocation, shortest
         self.t, self.y, self.t_bound, self.max_step = t, y, end, max_step
-        self._rtol = 0.1 * rtol ** (2 / 3)
+        self._rtol = TIGHT * rtol ** (4 / 5)
         self._atol = self._rtol * (atol / rtol)
         collocation.struct.tolerance = max(10 * np.finfo(float).eps / self._rtol, min(0.03, self._rtol**0.5))
         self.nfev, self.status = 1, "running"
@@ -171,7 +179,7 @@ class Radau:
         if careful and size >= 1:
             self.nfev += 1
             size = _norm(c.solve(self._rates(self.t, self.y + estimate) + change) / scale)
-        return (size if np.isfinite(size) else np.inf), estimate
+        return (size * self.enlarged if np.isfinite(size) else np.inf), estimate
 
     def _accept(self, h: float, error: float, estimate: Array, rejected: bool) -> None:
         """Continue from the end of a step."""
