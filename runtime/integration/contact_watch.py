@@ -12,9 +12,10 @@ from flexel.engine.workspace import Workspace
 class ContactWatch:
     """Finds contacts that may have closed and opened again within a step.
 
-    A gap that is a convex function of time within a step is at least as large as both its tangents at the ends.  The
-    gap between a body on a straight path and a convex body is one.  Where the tangents meet below zero, the contact may
-    have been stepped over.  The contacts of ropes are left out: their neighbours hold them.
+    The gap to a convex body is a convex function of time, but for the acceleration: its second derivative is at least -c,
+    where c is the size of the part of it due to accelerations, taken at the beginning of the step.  Such a gap is at least
+    as large as both tangents at the ends, steepened by c h/2.  Where these meet below zero, the contact may have been
+    stepped over.  The contacts of ropes are left out: their neighbours hold them.
 
     Parameters
     ----------
@@ -29,19 +30,21 @@ class ContactWatch:
         self._rows = np.setdiff1d(gaps, rope_gaps(work.tables))
         self.any = bool(self._rows.size) and bool(np.isfinite(least))
         self._work, self._least = work, least
-        self._gap = self._rate = self._rows.astype(float)
+        self._gap = self._rate = self._bend = self._rows.astype(float)
 
-    def note(self) -> None:
-        """Take the point that the workspace holds as the beginning of the next step."""
+    def note(self, a: Array) -> None:
+        """Take the point that the workspace holds, with accelerations a (n,), as the beginning of the next step."""
         self._gap, self._rate = self._now()
+        self._bend = np.abs(self._work.push(a)[self._rows])
 
     def skipped(self, h: float) -> bool:
         """Whether a contact may have been stepped over in a step of length h [s]."""
         gap, rate = self._now()
-        turned = (self._gap > 0) & (self._rate < 0) & (rate > 0)
+        first, last = self._rate - self._bend * h / 2, rate + self._bend * h / 2
+        turned = (self._gap > 0) & (first < 0) & (rate > 0)
         if not turned.any():
             return False
-        lowest = lowest_bound((self._gap[turned], gap[turned]), (self._rate[turned], rate[turned]), h)
+        lowest = lowest_bound((self._gap[turned], gap[turned]), (first[turned], last[turned]), h)
         return bool(np.any(lowest < -self._least))
 
     def _now(self) -> tuple[Array, Array]:

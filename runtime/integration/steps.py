@@ -177,8 +177,7 @@ class GeneralizedAlpha(ImplicitRun):
         stepper, now, until = self.stepper, self.t, min(self.until, self.stop)
         gap = until - now
         if self._watch.any:
-            self.balance()
-            self._watch.note()
+            self._watch.note(self.balance().a)
         parts = max(math.ceil(gap / min(self._wish, self.control.longest) * (1 - 1e-9)), 1)
         step = asked = gap / parts
         while (error := self._error(step)) > 1.0:

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy.special import ellipk
 
 import flexel as fx
 
@@ -26,3 +27,43 @@ def test_a_ceiling_that_is_touched_briefly_ends_the_motion(method: str, above: f
     motion = thrown().simulate(0.9, method=method, events=[ceiling])
     assert "ceiling" in motion.message
     assert motion.t[-1] == pytest.approx((4.0 - np.sqrt(2 * 9.81 * above)) / 9.81, abs=1e-7)
+
+
+def swinging() -> fx.System:
+    """A pendulum of 1 m that starts at 0.5 rad from the vertical."""
+    m = fx.Model(gravity=(0, -9.81))
+    m.point("O", (0, 0), fixed=True)
+    m.point("P", (np.sin(0.5), -np.cos(0.5)))
+    m.rod("rod", "O", "P")
+    m.point_mass("bob", "P", 1.0)
+    return m.build()
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("width", [1e-2, 1e-5])
+def test_every_passage_of_a_light_gate_is_seen(method: str, width: float) -> None:
+    """A pendulum enters and leaves the gate once in each half of its period; its period is a closed form."""
+    period = 2 * np.pi / np.sqrt(9.81) * float(ellipk(np.sin(0.25) ** 2)) / (np.pi / 2)
+    gate = fx.Event("gate", lambda s: abs(s["P.x"]) - width / 2)
+    motion = swinging().simulate(8.5 * period, method=method, events=[gate])
+    times = np.array([s.t for _, s in motion.events])
+    assert times.size == 2 * 17
+    middles = (times[::2] + times[1::2]) / 2
+    assert middles == pytest.approx((np.arange(17) + 0.5) * period / 2, abs=1e-4)
+
+
+@pytest.mark.parametrize("height", np.linspace(0.5, 2.0, 10))
+@pytest.mark.parametrize("method", ["generalized-alpha", "DOP853", "auto"])
+def test_no_ball_falls_through_a_thin_bar(method: str, height: float) -> None:
+    """A ball on a vertical guide is thrown back by a bar of 10 mm; a contact cannot be passed."""
+    m = fx.Model(gravity=(0, -9.81))
+    m.point("axle", (0, 0), fixed=True)
+    m.angle("R", fixed=True)
+    m.sheave("bar", "axle", "R", radius=0.005)
+    m.point("ball", (1e-4, height))
+    m.fix("ball.x")
+    m.point_mass("mass", "ball", 1.0)
+    m.contact("touch", "ball", "bar", fx.Contact(1e9, per="point"), radius=0.005)
+    motion = m.build().simulate(1.0, samples=11, method=method)
+    assert motion["ball.y"].min() > 0
+    assert motion.rate("ball.y").max() > 1.0  # it has been thrown back
