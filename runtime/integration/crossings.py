@@ -9,7 +9,9 @@ from scipy.optimize import brentq, minimize_scalar
 
 LOCATED = 1e-13  # accuracy of the time of a crossing [s]
 SAMPLES = (0.001, 0.25, 0.5, 0.75, 0.999)  # parts of a step; those near its ends show the slopes there
-FINEST = 1e-9  # accuracy of the time of a minimum, relative to the step: shorter double crossings are not seen
+FINEST = (
+    1e-9  # accuracy of the time of a minimum, relative to the step: shorter double crossings are not seen
+)
 
 Function = Callable[[float], float]
 
@@ -41,7 +43,9 @@ def crossings(function: Function, ends: dict[float, float], direction: int = 0) 
     t0, t1 = ends
     samples = [t for t in (t0 + part * (t1 - t0) for part in SAMPLES) if t0 < t < t1]
     _look_below(kept, [t0, *samples, t1])
-    inner = [t for t in sorted(known) if t in ends or known[t]]  # a zero within is a crossing only if the sign changes
+    inner = [
+        t for t in sorted(known) if t in ends or known[t]
+    ]  # a zero within is a crossing only if the sign changes
     found = []
     for a, b in zip(inner[:-1], inner[1:], strict=True):
         ga, gb = known[a], known[b]
@@ -57,11 +61,9 @@ def _look_below(kept: Function, samples: list[float]) -> None:
     for i in range(1, len(samples) - 1):
         signs, sizes = np.sign(values[i - 1 : i + 2]), np.abs(values[i - 1 : i + 2])
         if abs(signs.sum()) == 3 and sizes[1] <= min(sizes[0], sizes[2]) < max(sizes[0], sizes[2]):
-            sign = float(signs[1])
+
+            def size(t: float, sign: float = float(signs[1])) -> float:
+                return sign * kept(t)  # negative beyond zero
+
             bounds = samples[i - 1], samples[i + 1]
-            minimize_scalar(
-                lambda t, sign=sign: sign * kept(t),
-                bounds=bounds,
-                method="bounded",
-                options={"xatol": shortest},
-            )
+            minimize_scalar(size, bounds=bounds, method="bounded", options={"xatol": shortest})

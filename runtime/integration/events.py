@@ -34,10 +34,11 @@ class Event(Constant):
     -----
     A motion that starts at an event, for example from its state, does not trigger it again immediately.
 
-    The function is looked at inside each step too.  Two crossings in one step are found if the function is continuous and
-    its size has a single minimum between them and the samples around them, at quarters of the step and near its ends.
-    A function that only touches zero does not cross it.  A function that jumps, such as one that is 1 within a gate and
-    0 elsewhere, may be passed unseen: give a distance that changes its sign, or a `max_step` shorter than the passage.
+    The function is looked at inside each step too.  Two crossings in one step are found if the function is
+    continuous and its size has a single minimum between them and the samples around them, at quarters of the step and
+    near its ends.  A function that only touches zero does not cross it.  A function that jumps, such as one that is 1
+    within a gate and -1 elsewhere, may be passed unseen: give a distance that changes its sign, or a `max_step` shorter
+    than the passage.
     """
 
     name: str
@@ -96,8 +97,8 @@ def passages(
 ) -> tuple[list[tuple[Event, State]], list[float]]:
     """Zero crossings within a step, in the order of time, and the functions at its end.
 
-    Each function is sampled within the step.  Where its size has a minimum between samples, the minimum is searched for,
-    so that two crossings between two samples are found too.
+    Each function is sampled within the step.  Where its size has a minimum between samples, the minimum is searched
+    for, so that two crossings between two samples are found too.
 
     Parameters
     ----------
@@ -116,7 +117,11 @@ def passages(
     at = cache(step.state)  # shared by all events
     for event, g0, g1 in zip(events, before, after, strict=True):
         ends = {step.t0: g0, step.t1: g1}  # the values found before, so that all see the same signs
-        for t in crossings(lambda t, event=event: value(event, at(t)), ends, event.direction):
+
+        def function(t: float, event: Event = event) -> float:
+            return value(event, at(t))
+
+        for t in crossings(function, ends, event.direction):
             if t > begun:
                 found.append((event, at(t)))
     return sorted(found, key=lambda passage: passage[1].t), after
