@@ -13,7 +13,7 @@ import numpy as np
 from flexel.analyses.checkpoints import Checkpoint
 from flexel.base.arguments import flag
 from flexel.base.arrays import Array
-from flexel.base.errors import FlexelError
+from flexel.base.errors import FlexelError, Interrupted
 from flexel.integration import methods
 from flexel.integration.dop853 import Dop853
 from flexel.integration.driver import Run
@@ -123,6 +123,8 @@ class Motions(Core):
             motion.
         PositionError, DynamicsError
             If the motion cannot be continued; ``error.motion`` holds the motion so far.
+        Interrupted
+            After Ctrl-C: a `KeyboardInterrupt` whose ``motion`` is the motion so far.
 
         Warns
         -----
@@ -170,6 +172,11 @@ class Motions(Core):
             kept = _explained(_whole(run.kept(str(error)), keeper), why)
             error.motion = Motion(self, kept.since(grid[0]))
             raise
+        except KeyboardInterrupt:
+            kept = _explained(_whole(run.interrupted(), keeper), why)
+            if keeper is not None:
+                keeper.end(kept, run.step)
+            raise Interrupted(kept.message, Motion(self, kept.since(grid[0]))) from None
         log.info("t = %g s: %s; %s", run.t, found.message, found.statistics)
         found = _explained(_whole(found, keeper), why, watch.found if watch else "")
         motion = _motion(self, found, grid)

@@ -1,4 +1,4 @@
-"""Ctrl-C in long tasks that consist of parts, each of which would handle a `KeyboardInterrupt` itself."""
+"""Ctrl-C in long tasks that consist of parts, some of which handle a `KeyboardInterrupt` themselves."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from types import FrameType
 
 
 class StoppedError(BaseException):
-    """Ctrl-C in `stopping`; not a `KeyboardInterrupt`, upon which a simulation returns the motion so far."""
+    """Ctrl-C in `stopping`; not a `KeyboardInterrupt`, upon which analyses of variants return those that are done."""
 
 
 @contextmanager

@@ -135,18 +135,28 @@ def run(
     folder = out or Path("out") / file.stem
     if checkpoint:
         asked["checkpoint"] = folder / f"{file.stem}.checkpoint.npz"
-    request = Request(folder, asked, formats or FORMATS[:1], plots, linearize)
+    _run_model(file, Request(folder, asked, formats or FORMATS[:1], plots, linearize))
+
+
+def _run_model(file: Path, request: Request) -> None:
+    """Run a model declared in Python, and save and print what came of it."""
+    from flexel.base.errors import Interrupted
+
+    status = 0
     try:
         motion = _run_python(file, request)
     except click.ClickException as failure:
         _keep_what_there_is(failure, request, file.stem)
         raise
+    except Interrupted as interruption:
+        motion, status = interruption.motion, INTERRUPTED
     if motion is None:
         return
     with reported_by_line(file):
         _keep(motion, request, file.stem)
         _report(motion, request)
-    _end(motion)
+    if status:
+        raise SystemExit(status)
 
 
 def _run_python(file: Path, request: Request) -> Motion | None:
@@ -227,20 +237,18 @@ def _keep_what_there_is(failure: click.ClickException, request: Request, stem: s
 
 def _run_spacar(file: Path, out: Path | None, options: Mapping[str, Any]) -> None:
     """Run a SPACAR input file and print its results."""
-    from flexel.base.errors import FlexelError
+    from flexel.base.errors import FlexelError, Interrupted
+    from flexel.results.saved.tables_of_runs import motion_beside
     from flexel.spacar.run import run_spacar
 
     try:
         outcome = run_spacar(file, out, **options)
     except FlexelError as error:
         raise click.ClickException(str(error)) from error
+    except Interrupted as interruption:
+        click.echo(interruption.motion.message)
+        if out is not None:
+            out.mkdir(parents=True, exist_ok=True)
+            click.echo(f"wrote {interruption.motion.save(motion_beside(out / f'{file.stem}.npz'))}")
+        raise SystemExit(INTERRUPTED) from None
     click.echo(outcome.report)
-    _end(outcome.motion)
-
-
-def _end(motion: Motion | None) -> None:
-    """The exit status of an interrupt, if that is how a motion ended."""
-    from flexel.integration.driver import INTERRUPTED as ENDED
-
-    if motion is not None and motion.message.startswith(ENDED):
-        raise SystemExit(INTERRUPTED)

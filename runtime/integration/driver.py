@@ -143,7 +143,7 @@ class Run(ABC):
         return message
 
     def run(self, progress: bool | None, each: Callable[[Run], None] | None = None) -> Integration:
-        """Integrate to the last time; an interrupt (Ctrl-C) keeps what was computed.
+        """Integrate to the last time.
 
         Parameters
         ----------
@@ -171,12 +171,14 @@ class Run(ABC):
                 bar.update(self.t - begin - float(bar.n))
                 if each is not None:
                     each(self)
-        except KeyboardInterrupt:
-            self.keep()
-            message = f"{INTERRUPTED} at t = {self.result.states.end:g} s; the motion up to there is kept"
         finally:
             bar.close()
         return self.kept(message or "reached the end")
+
+    def interrupted(self) -> Integration:
+        """The results so far of a motion that Ctrl-C has ended."""
+        found = self.kept(INTERRUPTED)
+        return replace(found, message=f"{INTERRUPTED} at t = {found.states.end:g} s")
 
     def kept(self, message: str) -> Integration:
         """The results so far, up to the last step or the event that ended it."""

@@ -13,7 +13,7 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
-from scipy.linalg import eig, lu_factor, lu_solve
+from scipy.linalg import eig, get_lapack_funcs
 
 from flexel.base.arrays import Array, ComplexArray, Index
 
@@ -22,12 +22,11 @@ NEAR = 1e-4  # distance of the shift, and of eigenvalues that are taken together
 TURNS = 2  # steps of inverse iteration
 TRUSTED = 1e-3  # largest relative change that is a correction of the last digits
 
-Spectrum = tuple[
-    ComplexArray, ComplexArray, ComplexArray
-]  # eigenvalues, left and right eigenvectors in columns
+# eigenvalues, left and right eigenvectors in columns
+Spectrum = tuple[ComplexArray, ComplexArray, ComplexArray]
 _eig: Any = eig
-_factors: Any = lu_factor
-_solved: Any = lu_solve
+_factors: Any = get_lapack_funcs("getrf", dtype=np.complex128)  # `lu_factor` warns of a singular matrix
+_solved: Any = get_lapack_funcs("getrs", dtype=np.complex128)
 
 
 def corrected(found: Spectrum, M: Array, forces: Array, A: Array) -> Spectrum:
@@ -78,7 +77,9 @@ class _Equations:
         """Eigenvalues near one another, and their vectors; None where they do not agree with those given."""
         shift = values.mean() * (1 - NEAR)
         matrix = self.scale[:, None] * (self.F - shift * self.E)
-        factors = _factors(matrix, check_finite=False)
+        *factors, singular = _factors(matrix)
+        if singular:  # a multiple eigenvalue zero, which LAPACK's rounding has split
+            return None
         # those of the equations with scaled rows: y = (scale E)^-H l
         other = np.linalg.solve((self.scale[:, None] * self.E).T.astype(complex), left)
         for _ in range(TURNS):
@@ -118,8 +119,8 @@ def _order(values: ComplexArray) -> Index:
 
 def _turned(matrix: Any, factors: Any, rhs: ComplexArray, way: int) -> ComplexArray:
     """Solutions of unit size that are orthogonal to one another; solved, and corrected once."""
-    x = _solved(factors, rhs, way, check_finite=False)
-    x = x + _solved(factors, rhs - matrix @ x, way, check_finite=False)
+    x = _solved(*factors, rhs, trans=way)[0]
+    x = x + _solved(*factors, rhs - matrix @ x, trans=way)[0]
     return np.asarray(np.linalg.qr(x)[0])
 
 

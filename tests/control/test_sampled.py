@@ -151,7 +151,9 @@ def test_events_and_checkpoints_keep_the_controller(tmp_path: Path, monkeypatch:
 
     options: dict[str, Any] = {"inputs": ["A.x"], "state": [0.5], "delay": 0.12}
     broken = controlled(function=breaking, **options)
-    part = broken.simulate(1.0, start=moving(broken), times=t, checkpoint=tmp_path / "c.npz")
+    with pytest.raises(fx.Interrupted) as caught:
+        broken.simulate(1.0, start=moving(broken), times=t, checkpoint=tmp_path / "c.npz")
+    part = caught.value.motion
     assert "interrupted" in part.message and part.t[-1] == pytest.approx(0.4)
     on = broken.simulate(1.0, start=moving(broken), times=t, checkpoint=tmp_path / "c.npz")
     assert "continued" in on.message

@@ -192,7 +192,9 @@ def test_an_interrupted_integration_keeps_what_was_computed(monkeypatch: pytest.
         return advance(self, *arguments)  # type: ignore[arg-type]
 
     monkeypatch.setattr(GeneralizedAlpha, "advance", interrupted)
-    motion = system.simulate(1.0, method="generalized-alpha", samples=1001, max_step=1e-3, progress=False)
+    with pytest.raises(fx.Interrupted) as caught:
+        system.simulate(1.0, method="generalized-alpha", samples=1001, max_step=1e-3, progress=False)
+    motion = caught.value.motion
     assert "interrupted at t = 0.03" in motion.message
     assert len(motion) == 31
 

@@ -95,3 +95,23 @@ def test_eigenvalues_that_nearly_meet_on_the_real_axis_stay_a_pair() -> None:
     near = found[np.abs(found + 1) < 1e-3]
     assert near.size == 2 and near.sum() == pytest.approx(-2.0, abs=1e-12)
     assert near.prod() == pytest.approx(1.0, abs=1e-12)
+
+
+def test_a_zero_that_rounding_has_split_needs_no_correction() -> None:
+    """Two bodies that may spin about the vertical together: shifted by such a zero, the equations are singular."""
+    m = fx.Model(gravity=(0.0, 0.0, -9.81))
+    m.point("O", (0.0, 0.0, 0.0), fixed=True)
+    m.point("P0", (0.196, -0.04, 0.0))
+    m.frame("R0")
+    m.body_point("l0", "O", "R0", "P0")
+    inertia = (0.02, 0.02, 0.004, 0.0, 0.0, 0.0)
+    m.body("b0", "P0", "R0", mass=0.5, inertia=inertia, offset=(0.0, 0.01, 0.0))
+    m.point("P1", (1.019, -0.207, 0.0))
+    m.frame("R1")
+    m.hinge("h1", "R0", "R1", axis=(0.0, 0.0, 1.0))
+    m.body_point("l1", "P0", "R1", "P1")
+    m.body("b1", "P1", "R1", mass=4.0, inertia=inertia, offset=(0.01, 0.01, -0.16))
+    s = m.build()
+    found = s.linearize(s.equilibrium(stable=True)).eigenvalues()
+    assert np.sum(np.abs(found) < 1e-4) == 2
+    assert np.abs(found[np.abs(found) > 1e-4].real).max() < 1e-12  # nothing is damped
