@@ -11,6 +11,7 @@ import numpy as np
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError
 from flexel.integration.alpha import Stepper
+from flexel.integration.contact_watch import ContactWatch
 from flexel.integration.driver import Run
 from flexel.integration.ledger import Ledger
 from flexel.mechanics import dynamics
@@ -107,6 +108,7 @@ class GeneralizedAlpha(ImplicitRun):
         self.stepper = Stepper(system, start, radius, newton, control.tolerance)
         super().__init__(self.stepper, start, times)
         self.control = control
+        self._watch = ContactWatch(self.stepper.work, control.tolerance * self.stepper.length)
         self._steps = self._rejected = self._at_contact = self._halvings = self._false = 0
         self._wish = min(control.first, control.longest)
 
@@ -174,6 +176,8 @@ class GeneralizedAlpha(ImplicitRun):
         """One accepted step."""
         stepper, now, until = self.stepper, self.t, min(self.until, self.stop)
         gap = until - now
+        if self._watch.any:
+            self._watch.note(self.balance().a)
         parts = max(math.ceil(gap / min(self._wish, self.control.longest) * (1 - 1e-9)), 1)
         step = asked = gap / parts
         while (error := self._error(step)) > 1.0:
@@ -205,6 +209,9 @@ class GeneralizedAlpha(ImplicitRun):
         ledger.look()
         if self._false < MOST_FALSE and ledger.spurious(h, stepper.balancing.struct.scale):
             self._false += 1
+            return math.inf
+        if self._watch.any and self._watch.skipped(h):
+            self._at_contact += 1
             return math.inf
         if self._halvings < MOST_HALVINGS:
             begun = ledger.new_penetration()
