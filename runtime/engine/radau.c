@@ -110,14 +110,17 @@ static double iterate(flexel_radau *o, double h)
     return sqrt(sum / (3 * (double)n));
 }
 
+/* Change, relative to what is allowed, at which an iteration may end by rounding errors: it changes no digit that counts. */
+static const double NOISE = 0.03;
+
 /* Whether the iteration goes on after a change of some size, relative to what is allowed; `before` is that of the last one.
  * It converges after two iterations at the earliest: with a rate that an earlier step has shown, one is too uncertain. */
 static int goes_on(flexel_radau *o, double size, double before)
 {
-    if (!isfinite(size) || (o->iterations > 1 && size >= before && size > 0))
+    if (!isfinite(size))
         return 0;
-    if (size == 0) {
-        o->converged = 1;
+    if (size == 0 || (o->iterations > 1 && size >= before)) {
+        o->converged = size <= NOISE;
         return 0;
     }
     if (o->iterations == 1)
