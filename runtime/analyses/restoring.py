@@ -18,7 +18,7 @@ from flexel.structure.roles import Roles
 from flexel.structure.state import State
 from flexel.structure.structure import Structure
 
-FITS = 1e-6  # violation of a constraint, in natural scales, from which a position belongs to a model of other dimensions
+FITS = 1e-6  # violation of a constraint, in natural scales, from which a position belongs to another model
 
 
 class Restoring(Core):
