@@ -17,6 +17,7 @@ __all__ = [
     "CompilerError",
     "ConstraintError",
     "CoordinateWarning",
+    "DampingWarning",
     "DynamicsError",
     "ElementError",
     "FlexelError",
@@ -65,6 +66,10 @@ class Interrupted(KeyboardInterrupt):  # noqa: N818 - it is no error
 
 class CoordinateWarning(UserWarning):
     """The degrees of freedom are nearly singular at a state: the message names them, and those used in their place."""
+
+
+class DampingWarning(UserWarning):
+    """A motion is less accurate than it seems: the message names the method, what was lost, and the remedy."""
 
 
 class IncompleteWarning(UserWarning):

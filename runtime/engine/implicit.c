@@ -219,13 +219,7 @@ static void finish(flexel_step *s)
         s->now.zd[i] = w->zd[i];
         s->now.zw[i] = ((1 - s->alpha_f) * w->zd[i] + s->alpha_f * p->zd[i] - s->lag_m * p->zw[i]) / (1 - s->lag_m);
     }
-    const double factor = fabs(s->beta - 1.0 / 6) * s->h * s->h;
-    s->local_error = s->local_size = 0;
-    for (size_t i = 0; i < w->nf; i++) {
-        const double error = factor * fabs(s->now.w[i] - p->w[i]);
-        s->local_size = flexel_larger(s->local_size, error);
-        s->local_error = flexel_larger(s->local_error, error / s->x_scale[i]);
-    }
+    flexel_local_errors(s);
 }
 
 /* Iterations until the step is found or given up, or something has to be done that is not done here. */
@@ -299,6 +293,7 @@ void flexel_step_accept(flexel_step *s)
     const flexel_work *w = s->balance->work;
     flexel_point *to = &s->old;
     const flexel_point *from = &s->now;
+    flexel_ranges_accept(s);
     copy(to->x, from->x, w->n);
     copy(to->v, from->v, w->n);
     copy(to->a, from->a, w->n);

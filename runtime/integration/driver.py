@@ -13,7 +13,7 @@ import numpy as np
 
 from flexel.base.arguments import flag
 from flexel.base.arrays import Array
-from flexel.base.errors import FlexelError
+from flexel.base.errors import DampingWarning, FlexelError
 from flexel.base.progress import progress_bar
 from flexel.integration.events import Event, passages, value
 from flexel.integration.knots import FORCES, RATES, Knots
@@ -173,6 +173,7 @@ class Run(ABC):
                     each(self)
         finally:
             bar.close()
+        self.judge()
         return self.kept(message or "reached the end")
 
     def interrupted(self) -> Integration:
@@ -184,6 +185,13 @@ class Run(ABC):
         """The results so far, up to the last step or the event that ended it."""
         self.keep()
         return replace(self.result, message=message, statistics=self.statistics)
+
+    def warn(self, text: str, category: type[Warning] = DampingWarning) -> None:
+        """Note what is known against the motion, and issue it once as a Python warning; see `Motion.warnings`."""
+        self.result.warn(text, category)
+
+    def judge(self) -> None:
+        """Look at the motion when it has ended, and warn of what its method knows against it."""
 
     @property
     @abstractmethod

@@ -8,6 +8,8 @@ from flexel.base.arrays import Array
 from flexel.engine.energies import Energies
 from flexel.mechanics.balance import Saddle
 
+ROUNDING = 1e-9  # over the stored energies: less that is missing is rounding, and what iterations leave
+
 
 class Ledger:
     """Work and losses of a motion, by the trapezoidal rule over its steps.
@@ -18,6 +20,10 @@ class Ledger:
     ----------
     kept : dict of str to list of float
         At the stored times: "contact" (stored in contacts), "dissipated" and "work" (since the start) [J].
+    missing : float
+        Energy [J] that the method has taken out since the start, at the last step; negative: that it has added.
+    steps : int
+        That were added.
     """
 
     def __init__(self, saddle: Saddle) -> None:
@@ -31,6 +37,9 @@ class Ledger:
             0.0  # powers at the last step, and their sums
         )
         self._next = (0.0, 0.0, 0.0, 0.0)
+        self._kinetic = self._through = self._size = 0.0
+        self.missing = 0.0
+        self.steps = 0
         self.kept: dict[str, list[float]] = {"contact": [], "dissipated": [], "work": []}
 
     def begin(self) -> None:
@@ -56,9 +65,14 @@ class Ledger:
     def add(self, h: float) -> None:
         """Add the step of length h that was examined."""
         _, _, losses, drives = self._next
-        self._dissipated += h / 2 * (self._losses + losses)
-        self._work += h / 2 * (self._drives + drives)
+        lost, work = h / 2 * (self._losses + losses), h / 2 * (self._drives + drives)
+        self._dissipated += lost
+        self._work += work
+        self._through += abs(lost) + abs(work)
+        before = self._own + self._potential
         self._enter()
+        self.steps += 1
+        self.missing += before + work - lost - self._own - self._potential
 
     def renew(self) -> None:
         """Continue from the balance that the workspace holds, where forces have jumped."""
@@ -70,6 +84,12 @@ class Ledger:
         before = self._own
         self.renew()
         self._work += self._own - before
+
+    @property
+    def share(self) -> float:
+        """The missing energy over the largest kinetic energy and what was dissipated and supplied; 0: rounding alone."""
+        moved = self._kinetic + self._through
+        return self.missing / moved if abs(self.missing) > ROUNDING * self._size and moved else 0.0
 
     def keep(self) -> None:
         """Store the current values."""
@@ -100,6 +120,8 @@ class Ledger:
     def _enter(self) -> None:
         self._own, self._potential, self._losses, self._drives = self._next
         self._largest = max(self._largest, self._own)
+        self._kinetic = max(self._kinetic, float(self._values.kinetic))
+        self._size = max(self._size, abs(self._own) + abs(self._potential))
         self._stored = float(self._values.contact)
         self._found.note()
 
