@@ -19,7 +19,6 @@ if TYPE_CHECKING:
         DampingWarning,
         DynamicsError,
         IncompleteWarning,
-        Interrupted,
         LinearizationError,
         ModelError,
         ModelWarning,
@@ -58,6 +57,7 @@ if TYPE_CHECKING:
     from flexel.results.ensemble import Ensemble
     from flexel.results.flexure import Flexure
     from flexel.results.flexure_step import FlexureElement, FlexureNode, FlexureStep
+    from flexel.results.interrupted import Interrupted
     from flexel.results.linearizations import Linearizations, RootLoci
     from flexel.results.motion import Motion
     from flexel.results.periodic import PeriodicSolution
@@ -207,7 +207,7 @@ _HOMES = {
     "HelicalGroove": "flexel.rope.surfaces",
     "IBeam": "flexel.declare.sections",
     "IncompleteWarning": "flexel.base.errors",
-    "Interrupted": "flexel.base.errors",
+    "Interrupted": "flexel.results.interrupted",
     "LBeam": "flexel.declare.thin_sections",
     "Linearization": "flexel.mechanics.linearization",
     "LinearizationError": "flexel.base.errors",

@@ -32,7 +32,8 @@ MADE_BY_FLEXEL = {
 # Methods that the parts of flexel call with checked values, and those of tuple.
 INTERNAL = {
     "Contact.law", "Curve.parameters", "Motion.count", "Motion.index", "Points.columns", "Points.difference",
-    "System.kinematics_of", "System.kinematics_with", "System.use", "System.warm", "Table.of", "Waves.parameters",
+    "Ramp.next_knot", "Ramp.on_knot", "System.kinematics_of", "System.kinematics_with", "System.use", "System.warm",
+    "Table.next_knot", "Table.of", "Table.on_knot", "Waves.parameters",
 }  # fmt: skip
 # Junk that is no junk: what it stands for is in the docstring, or nothing is changed.
 DOCUMENTED = {
@@ -60,7 +61,7 @@ def public_calls() -> Iterator[tuple[str, inspect.Signature]]:
     """Everything that is called with arguments: functions, classes and methods of `flexel.__all__`."""
     for name in fx.__all__:
         value = getattr(fx, name)
-        if inspect.isclass(value) and issubclass(value, Warning | Exception):
+        if inspect.isclass(value) and issubclass(value, BaseException):
             continue
         if name not in MADE_BY_FLEXEL:
             yield name, inspect.signature(value)

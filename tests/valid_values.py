@@ -182,8 +182,6 @@ VALUES: dict[str, Callable[[], Valid]] = {
     "Polynomial.rates": lambda: calling(fx.Polynomial((1.0, 2.0)).rates, t=0.5),
     "Ramp": lambda: Valid(fx.Ramp, {"t0": 0.0, "t1": 1.0, "u0": 0.0, "u1": 5.0}, with_motion),
     "Ramp.rates": lambda: calling(fx.Ramp(0.0, 1.0, 0.0, 5.0).rates, t=0.5),
-    "Ramp.next_knot": lambda: calling(fx.Ramp(0.0, 1.0, 0.0, 5.0).next_knot, t=0.5),
-    "Ramp.on_knot": lambda: calling(fx.Ramp(0.0, 1.0, 0.0, 5.0).on_knot, t=0.5, within=1e-9),
     "Rectangle": lambda: Valid(fx.Rectangle, {"height": 0.1, "width": 0.2}, with_section),
     "RoundGroove": lambda: Valid(fx.RoundGroove, {"radius": 0.01}, with_groove),
     "SectionForces": lambda: Valid(fx.SectionForces, {}, in_beam(SECTIONS["Circle"])),
@@ -191,8 +189,6 @@ VALUES: dict[str, Callable[[], Valid]] = {
         fx.Table, {"t": np.array([0.0, 1.0, 2.0, 3.0]), "u": np.array([0.0, 1.0, 0.0, 1.0])}, with_motion
     ),
     "Table.rates": lambda: calling(TABLE.rates, t=0.5),
-    "Table.next_knot": lambda: calling(TABLE.next_knot, t=0.5),
-    "Table.on_knot": lambda: calling(TABLE.on_knot, t=0.5, within=1e-9),
     "Tube": lambda: Valid(fx.Tube, {"outer": 0.1, "inner": 0.05}, with_section),
     "UBeam": lambda: Valid(
         fx.UBeam, {"height": 0.2, "width": 0.1, "flange": 0.01, "web": 0.01}, with_section

@@ -13,7 +13,7 @@ import numpy as np
 from flexel.analyses.checkpoints import Checkpoint
 from flexel.base.arguments import flag
 from flexel.base.arrays import Array
-from flexel.base.errors import FlexelError, Interrupted
+from flexel.base.errors import FlexelError
 from flexel.integration import methods
 from flexel.integration.dop853 import Dop853
 from flexel.integration.driver import Run
@@ -23,6 +23,7 @@ from flexel.integration.ranges import warn_outside
 from flexel.integration.stiffness import Watch
 from flexel.mechanics.bent import warn_bent
 from flexel.mechanics.core import Core
+from flexel.results.interrupted import Interrupted
 from flexel.results.motion import Motion
 from flexel.structure.state import State
 

@@ -5,12 +5,7 @@ Every message has the form ``kind 'name': fact; remedy``.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
-
 from flexel.derive.errors import ElementError, FlexelError
-
-if TYPE_CHECKING:
-    from flexel.results.motion import Motion
 
 __all__ = [
     "AssemblyWarning",
@@ -22,7 +17,6 @@ __all__ = [
     "ElementError",
     "FlexelError",
     "IncompleteWarning",
-    "Interrupted",
     "LinearizationError",
     "ModelError",
     "ModelWarning",
@@ -48,20 +42,6 @@ class PositionError(FlexelError, RuntimeError):
 
 class DynamicsError(FlexelError, RuntimeError):
     """The equations of motion cannot be solved or integrated (singular mass matrix, failed step)."""
-
-
-class Interrupted(KeyboardInterrupt):  # noqa: N818 - it is no error
-    """Ctrl-C during a simulation.
-
-    Attributes
-    ----------
-    motion : Motion
-        The motion up to there.
-    """
-
-    def __init__(self, message: str, motion: Motion) -> None:
-        super().__init__(message)
-        self.motion = motion
 
 
 class CoordinateWarning(UserWarning):

@@ -182,6 +182,12 @@ class Faster(Constant):
         return on_knot(self.function, self.factor * t, self.factor * within)
 
 
+def calls_user(function: TimeFunction) -> bool:
+    """Whether a function of time calls code of the user, which may give other values later."""
+    inner = function.function if isinstance(function, Faster) else function
+    return isinstance(inner, (Formula, Triple, Foreign))
+
+
 def faster(function: TimeFunction, factor: float) -> TimeFunction:
     """The function run `factor` times as fast; a constant is returned as it is."""
     return function if steady(function) else Faster(function, factor)

@@ -140,7 +140,7 @@ def run(
 
 def _run_model(file: Path, request: Request) -> None:
     """Run a model declared in Python, and save and print what came of it."""
-    from flexel.base.errors import Interrupted
+    from flexel.results.interrupted import Interrupted
 
     status = 0
     try:
@@ -237,7 +237,8 @@ def _keep_what_there_is(failure: click.ClickException, request: Request, stem: s
 
 def _run_spacar(file: Path, out: Path | None, options: Mapping[str, Any]) -> None:
     """Run a SPACAR input file and print its results."""
-    from flexel.base.errors import FlexelError, Interrupted
+    from flexel.base.errors import FlexelError
+    from flexel.results.interrupted import Interrupted
     from flexel.results.saved.tables_of_runs import motion_beside
     from flexel.spacar.run import run_spacar
 

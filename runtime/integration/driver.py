@@ -15,6 +15,7 @@ from flexel.base.arguments import flag
 from flexel.base.arrays import Array
 from flexel.base.errors import DampingWarning, FlexelError
 from flexel.base.progress import progress_bar
+from flexel.base.time_functions import calls_user
 from flexel.integration.events import Event, passages, value
 from flexel.integration.knots import FORCES, RATES, Knots
 from flexel.integration.outcome import Integration, Pending, Segment, States
@@ -227,6 +228,8 @@ class DenseRun(Run):
         self._values = [value(event, start) for event in events]
         self._span = float(times[-1] - times[0])
         self._shown: Kinematics = system.kinematics_of(start.roles)
+        # what the user's functions give later may be something else: states are then completed at once
+        self._at_once = bool(self._callbacks) or any(map(calls_user, self._shown.time_functions))
 
     def run(self, progress: bool | None, each: Callable[[Run], None] | None = None) -> Integration:
         """As for all methods; a motion of zero length is its start, and no step is prepared."""
@@ -290,4 +293,5 @@ class DenseRun(Run):
         states = self.result.states
         while len(states) < self.times.size and self.until <= end:
             at_end = self.until == step.last.t
-            states.append(Pending(step.shown, step.last, z) if at_end else step.pending(self.until))
+            found = Pending(step.shown, step.last, z) if at_end else step.pending(self.until)
+            states.append(found.state() if self._at_once else found)

@@ -19,6 +19,7 @@ from scipy.sparse import csc_array
 from flexel.base.arrays import Array
 from flexel.base.errors import ConstraintError, FlexelError, ModelError, PositionError
 from flexel.base.once import once
+from flexel.base.time_functions import TimeFunction
 from flexel.engine.choice import Choice, ChoiceLists
 from flexel.engine.evaluate import Evaluation
 from flexel.engine.linear import Linearizer
@@ -130,6 +131,11 @@ class Kinematics:
         if found is None:
             found = self._threads.choice = Choice(self.evaluation.work, self.lists)
         return found
+
+    @property
+    def time_functions(self) -> tuple[TimeFunction, ...]:
+        """The prescribed motions and the loads."""
+        return (*self.roles.motions, *self.loads.functions)
 
     def given(self, t: float) -> Choice:
         """The same, with the prescribed motions and loads at time t."""

@@ -45,5 +45,5 @@ def heaviness(kinematics: Kinematics, rows: Index) -> Array:
     if not moving.size or moving.max() <= SPREAD * moving.min():
         return np.ones(rows.size)
     factor = np.ones(first + inertia.size)
-    factor[first:] = np.maximum(inertia / moving.min(), 1.0) ** POWER
+    factor[first:] = np.maximum(inertia**POWER / moving.min() ** POWER, 1.0)
     return np.asarray(factor[rows])

@@ -15,6 +15,7 @@ from flexel.base.outside import DataFrame, Dataset
 from flexel.integration.ledger import energy_balance
 from flexel.mechanics.core import Core
 from flexel.results.drawn import DrawnMotion
+from flexel.results.given import check_given, given_in
 from flexel.results.quantities import history
 from flexel.structure.state import State
 from flexel.structure.structure import Structure
@@ -60,6 +61,7 @@ class Motion(DrawnMotion, Sequence[State]):
         self.rechoices = integration.rechoices
         self.warnings = tuple(integration.warnings)
         self.t: Array = np.array(integration.states.times)
+        self._given = given_in(self._segments, self.t)
 
     def __len__(self) -> int:
         return len(self._states)
@@ -208,7 +210,8 @@ class Motion(DrawnMotion, Sequence[State]):
         Raises
         ------
         ModelError
-            If the motion does not cover the time.
+            If the motion does not cover the time, or a load or a prescribed motion gives other values than when it
+            was computed.
         """
         if not self._segments:
             raise ModelError(
@@ -219,6 +222,7 @@ class Motion(DrawnMotion, Sequence[State]):
         if not begin <= t <= end:
             before = "; the part before comes from a file" if self.t[0] < begin else ""
             raise ModelError(f"time {t:g} s lies outside the motion, {begin:g}…{end:g} s{before}")
+        check_given(self._segments, self._given)
         segment = next(z for z in self._segments if t <= z.t1)
         return segment.state(t)
 

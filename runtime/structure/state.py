@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 
@@ -18,6 +18,9 @@ if TYPE_CHECKING:
     from flexel.declare.sections import SectionForces
     from flexel.mechanics.constraints import ConstraintReport
     from flexel.mechanics.stress import BeamStress
+
+
+ARRAYS = ("x", "v", "a", "e", "rates", "stresses", "reactions", "z", "zd", "Phi_v")
 
 
 @dataclass(frozen=True)
@@ -47,7 +50,7 @@ class Geometry(Protocol):
 
 @dataclass(frozen=True)
 class State:
-    """Positions, rates, accelerations and stresses at one time.
+    """Positions, rates, accelerations and stresses at one time; its arrays cannot be written to.
 
     Attributes
     ----------
@@ -90,6 +93,16 @@ class State:
     zd: Array
     dissipated: float
     Phi_v: Array = field(repr=False)  # accelerations of all quantities (m + k + n,)
+
+    def __post_init__(self) -> None:
+        """A state never changes: what starts from it later would start elsewhere."""
+        for name in ARRAYS:
+            getattr(self, name).flags.writeable = False
+
+    def __setstate__(self, fields: dict[str, Any]) -> None:
+        """From a pickle, whose arrays can be written to."""
+        self.__dict__.update(fields)
+        self.__post_init__()
 
     @property
     def structure(self) -> Structure:
