@@ -17,6 +17,7 @@ enum {
 };
 /* relative errors: accepted at once, and accepted when rounding stalls progress */
 static const double CONVERGED = 1e-11, STALLED = 1e-8;
+static const double SMALL = 1e-5; /* size of a motion below which rounding of coordinates would hinder convergence */
 static const double ROUGH = 0.1; /* relative error of a prediction beyond which another is tried */
 static const double SLOW = 0.2;  /* a contraction weaker than this renews the matrix */
 
@@ -111,14 +112,16 @@ static void move(flexel_step *s, double share)
 /* Error of the balance relative to forces of a size: unbalance, and errors of conditions in their natural scales.
  *
  * A stiffness K turns rounding of x into an unbalance of about 1e-15 K x, a lower bound; with that of each row in the
- * denominator the tolerance can still be met. */
+ * denominator the tolerance can still be met. Its share is that of the motion: an unbalance that is small beside the
+ * machine, and large beside a small vibration, would feed it in every step. */
 static double size(const flexel_step *s, double scale)
 {
     const flexel_balance *b = s->balance;
     const flexel_work *w = b->work;
+    const double length = 1e-3 * s->length * flexel_larger(s->ranges.size, SMALL);
     double error = 0;
     for (size_t i = 0; i < w->nf; i++)
-        error = flexel_larger(error, fabs(b->r[i]) / (scale + 1e-3 * s->length * s->stiffness[i] + s->tiny));
+        error = flexel_larger(error, fabs(b->r[i]) / (scale + length * s->stiffness[i] + s->tiny));
     error *= s->forces;
     for (size_t i = 0; i < b->nh; i++)
         error = flexel_larger(error, fabs(b->gap[i]) / s->hold_scale[i]);
