@@ -15,9 +15,10 @@ enum {
     PATIENCE = 8,    /* iterations within which the error must drop to a tenth */
     SHORTENINGS = 6, /* of a step of Newton's method, each to 40 % */
 };
-/* relative errors: accepted at once, and accepted when rounding stalls progress */
-static const double CONVERGED = 1e-11, STALLED = 1e-8;
-static const double SMALL = 1e-5; /* size of a motion below which rounding of coordinates would hinder convergence */
+/* Relative errors: accepted at once, accepted when rounding stalls progress, and accepted of a prediction. The unbalance
+ * of predictions has the same sign over many steps, and is not small beside the forces of a small vibration: it would
+ * drive the motion. */
+static const double CONVERGED = 1e-11, STALLED = 1e-8, PREDICTED = 1e-16;
 static const double ROUGH = 0.1; /* relative error of a prediction beyond which another is tried */
 static const double SLOW = 0.2;  /* a contraction weaker than this renews the matrix */
 
@@ -112,16 +113,14 @@ static void move(flexel_step *s, double share)
 /* Error of the balance relative to forces of a size: unbalance, and errors of conditions in their natural scales.
  *
  * A stiffness K turns rounding of x into an unbalance of about 1e-15 K x, a lower bound; with that of each row in the
- * denominator the tolerance can still be met. Its share is that of the motion: an unbalance that is small beside the
- * machine, and large beside a small vibration, would feed it in every step. */
+ * denominator the tolerance can still be met. */
 static double size(const flexel_step *s, double scale)
 {
     const flexel_balance *b = s->balance;
     const flexel_work *w = b->work;
-    const double length = 1e-3 * s->length * flexel_larger(s->ranges.size, SMALL);
     double error = 0;
     for (size_t i = 0; i < w->nf; i++)
-        error = flexel_larger(error, fabs(b->r[i]) / (scale + length * s->stiffness[i] + s->tiny));
+        error = flexel_larger(error, fabs(b->r[i]) / (scale + 1e-3 * s->length * s->stiffness[i] + s->tiny));
     error *= s->forces;
     for (size_t i = 0; i < b->nh; i++)
         error = flexel_larger(error, fabs(b->gap[i]) / s->hold_scale[i]);
@@ -229,7 +228,7 @@ static void finish(flexel_step *s)
 static int iterate(flexel_step *s)
 {
     for (;; s->iteration++) {
-        if (s->error < CONVERGED || (s->error < STALLED && s->error > 0.5 * s->last)) {
+        if (s->error < (s->iteration ? CONVERGED : PREDICTED) || (s->error < STALLED && s->error > 0.5 * s->last)) {
             finish(s);
             return FLEXEL_FOUND;
         }

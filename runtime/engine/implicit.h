@@ -19,13 +19,12 @@ enum { FLEXEL_FOUND, FLEXEL_NOT_FOUND, FLEXEL_FACTORIZE, FLEXEL_SOLVE, FLEXEL_NO
 
 /* Least and largest values of free coordinates (nf) and internal states (nz) at the accepted points of a motion; the group
  * of each internal state, and work space for the ranges of the groups; rates of these states at the start of the step before,
- * and its length (0: none); least range of a coordinate, over its natural scale; size of the motion so far, see
- * local_error.c. */
+ * and its length (0: none); least range of a coordinate, over its natural scale. */
 typedef struct {
     double *x_low, *x_high, *z_low, *z_high, *group_range, *zd_before;
     const int *group;
     size_t groups;
-    double h_before, least, size;
+    double h_before, least;
 } flexel_ranges;
 
 /* Newton's method for one step of length h from `old` to `now`, whose trial point is in the workspace. */

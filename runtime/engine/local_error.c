@@ -96,7 +96,6 @@ void flexel_ranges_accept(flexel_step *s)
 {
     flexel_ranges *r = &s->ranges;
     const size_t nf = s->balance->work->nf, nz = s->balance->work->nz;
-    r->size = moved(s);
     widen(r->x_low, r->x_high, s->now.x, nf);
     widen(r->z_low, r->z_high, s->now.z, nz);
     memcpy(r->zd_before, s->old.zd, nz * sizeof(double));

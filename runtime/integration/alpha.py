@@ -64,8 +64,7 @@ class Stepper(Saddle):
     def expect(self, start: State, duration: float, tolerance: float) -> None:
         """Scale tolerances at least by how far a motion is expected to go, and above noise."""
         least = ROUNDING / min(max(tolerance, ROUNDING), 1.0)
-        found = self.numbers.ranges
-        found.least = found.size = max(least, extent(self, start, duration))
+        self.numbers.ranges.least = max(least, extent(self, start, duration))
 
     def begin(self, start: State) -> None:
         """Continue from a state, with its accelerations."""

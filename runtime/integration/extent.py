@@ -5,14 +5,15 @@ from __future__ import annotations
 import numpy as np
 
 from flexel.base.arrays import Array
+from flexel.base.time_functions import calls_user
 from flexel.mechanics.balance import Saddle
 from flexel.mechanics.saddle import SaddlePattern
 from flexel.structure.state import State
 
 PARTS = 10.0 ** -np.arange(7)  # of the duration, over which steps are tried
-LOOKS = np.linspace(0.0, 1.0, 9)[
-    1:
-]  # instants at which loads and prescribed motions are seen, over the duration
+LOOKS = np.linspace(
+    0.125, 1.0, 8
+)  # instants, over the duration, at which loads and prescribed motions are seen
 
 
 def extent(saddle: Saddle, start: State, duration: float) -> float:
@@ -20,7 +21,8 @@ def extent(saddle: Saddle, start: State, duration: float) -> float:
 
     One step of the implicit Euler method from the start, linearized, goes as far as a vibration whose period is
     longer than the step, or else to its static deflection. The largest of steps of many lengths is taken, and of
-    steps over the whole duration with the loads and prescribed motions of later instants.
+    steps over the whole duration with the loads and prescribed motions of later instants; functions of the user are
+    not called before their time.
 
     Parameters
     ----------
@@ -38,8 +40,9 @@ def extent(saddle: Saddle, start: State, duration: float) -> float:
         return 0.0
     pattern = SaddlePattern(saddle.work, saddle.force_rows, saddle.force_rows)
     found = [_displacement(saddle, pattern, start, part * duration, start.t) for part in PARTS]
-    if saddle.system.loads.any or saddle.roles.motions:
-        found += [_displacement(saddle, pattern, start, duration, start.t + z * duration) for z in LOOKS]
+    driven = saddle.system.kinematics.time_functions
+    if driven and not any(map(calls_user, driven)):
+        found += [_displacement(saddle, pattern, start, duration, start.t + at * duration) for at in LOOKS]
     return min(max(found), 1.0)
 
 

@@ -22,6 +22,8 @@ class Ledger:
         At the stored times: "contact" (stored in contacts), "dissipated" and "work" (since the start) [J].
     missing : float
         Energy [J] that the method has taken out since the start, at the last step; negative: that it has added.
+    unsure : float
+        How much of it [J] may be an error of the trapezoidal rule: powers that change abruptly from step to step.
     steps : int
         That were added.
     """
@@ -38,7 +40,8 @@ class Ledger:
         )
         self._next = (0.0, 0.0, 0.0, 0.0)
         self._kinetic = self._through = self._size = 0.0
-        self.missing = 0.0
+        self._slope = 0.0  # of the power in the step before; none in the first
+        self.missing = self.unsure = 0.0
         self.steps = 0
         self.kept: dict[str, list[float]] = {"contact": [], "dissipated": [], "work": []}
 
@@ -69,6 +72,9 @@ class Ledger:
         self._dissipated += lost
         self._work += work
         self._through += abs(lost) + abs(work)
+        change = drives - self._drives - losses + self._losses
+        self.unsure += h / 2 * min(abs(change), abs(change - self._slope * h))
+        self._slope = change / h
         before = self._own + self._potential
         self._enter()
         self.steps += 1
@@ -87,9 +93,13 @@ class Ledger:
 
     @property
     def share(self) -> float:
-        """The missing energy over the largest kinetic energy and what was dissipated and supplied; 0: rounding alone."""
-        moved = self._kinetic + self._through
-        return self.missing / moved if abs(self.missing) > ROUNDING * self._size and moved else 0.0
+        """The missing energy over the largest kinetic energy, or what was dissipated and supplied if that is more.
+
+        Zero where it may be due to rounding or to the trapezoidal rule.
+        """
+        moved = max(self._kinetic, self._through)
+        known = abs(self.missing) > ROUNDING * self._size + 2 * self.unsure
+        return self.missing / moved if known and moved else 0.0
 
     def keep(self) -> None:
         """Store the current values."""

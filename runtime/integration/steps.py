@@ -240,13 +240,13 @@ class GeneralizedAlpha(ImplicitRun):
     def _error_of_states(self, h: float) -> float:
         """The same of the internal states; a rate that jumps in the step, as of a bristle that begins to slide, passes.
 
-        The error of a smooth rate falls with the third power of the step, that of a jump with the first. Shorter steps
-        would not find the jump.
+        The error of a smooth rate falls with the third power of the step, and with the second in the first step of a
+        motion, that of a jump with the first. Shorter steps would not find the jump.
         """
         error = float(self.stepper.numbers.state_error) / self.control.tolerance
         if error <= 1.0:
             return error
         before, larger = self._refused
-        jump = h < before and error > larger * (h / before) ** 2
+        jump = h < before and error > larger * (h / before) ** 1.5
         self._refused = (h, error)
         return 1.0 if jump else error
