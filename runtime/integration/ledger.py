@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from flexel.base.arrays import Array
@@ -23,7 +25,7 @@ class Ledger:
     missing : float
         Energy [J] that the method has taken out since the start, at the last step; negative: that it has added.
     unsure : float
-        How much of it [J] may be an error of the trapezoidal rule: powers that change abruptly from step to step.
+        How much of it [J] may be an error of the trapezoidal rule, whose errors in the steps have independent signs.
     steps : int
         That were added.
     """
@@ -73,7 +75,7 @@ class Ledger:
         self._work += work
         self._through += abs(lost) + abs(work)
         change = drives - self._drives - losses + self._losses
-        self.unsure += h / 2 * min(abs(change), abs(change - self._slope * h))
+        self.unsure = math.hypot(self.unsure, h / 2 * min(abs(change), abs(change - self._slope * h)))
         self._slope = change / h
         before = self._own + self._potential
         self._enter()
@@ -95,11 +97,12 @@ class Ledger:
     def share(self) -> float:
         """The missing energy over the largest kinetic energy, or what was dissipated and supplied if that is more.
 
-        Zero where it may be due to rounding or to the trapezoidal rule.
+        Zero where it may be due to rounding or to the trapezoidal rule. Energy that seems to be added may be losses that
+        the rule overestimates, as those of a contact's first step, at most by all of them.
         """
         moved = max(self._kinetic, self._through)
-        known = abs(self.missing) > ROUNDING * self._size + 2 * self.unsure
-        return self.missing / moved if known and moved else 0.0
+        doubt = ROUNDING * self._size + (2 * self.unsure if self.missing > 0 else self._through)
+        return self.missing / moved if abs(self.missing) > doubt and moved else 0.0
 
     def keep(self) -> None:
         """Store the current values."""
