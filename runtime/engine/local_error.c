@@ -20,7 +20,7 @@ static double moved(const flexel_step *s)
 {
     const flexel_ranges *r = &s->ranges;
     const flexel_point *p = &s->old, *q = &s->now;
-    double found = r->least, v = 0, w = 0, dx = 0, dw = 0;
+    double found = 0, v = 0, w = 0, dx = 0, dw = 0;
     for (size_t i = 0; i < s->balance->work->nf; i++) {
         const double unit = 1 / s->x_scale[i];
         found = flexel_larger(found, range_of(r->x_low[i], r->x_high[i], q->x[i]) * unit);
@@ -31,7 +31,7 @@ static double moved(const flexel_step *s)
     }
     if (dw > 0)
         found = flexel_larger(found, flexel_larger(v * sqrt(dx / dw), w * dx / dw));
-    return found < 1 ? found : 1;
+    return flexel_larger(found < 1 ? found : 1, r->least);
 }
 
 static double coordinates_error(flexel_step *s)

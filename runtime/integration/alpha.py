@@ -61,9 +61,18 @@ class Stepper(Saddle):
         self._chosen = not self._near.worthwhile
         self.begin(start)
 
-    def expect(self, start: State, duration: float, tolerance: float) -> None:
-        """Scale tolerances at least by how far a motion is expected to go, and above noise."""
-        least = ROUNDING / min(max(tolerance, ROUNDING), 1.0)
+    def expect(self, start: State, duration: float, tolerance: float, absolute: float) -> None:
+        """Scale the tolerance at least by how far a motion is expected to go; it stays above an absolute one, and noise.
+
+        Parameters
+        ----------
+        start : State
+        duration : float
+            [s]
+        tolerance, absolute : float
+            Over the size of the motion, and in natural scales.
+        """
+        least = max(ROUNDING, absolute) / max(tolerance, ROUNDING)
         self.numbers.ranges.least = max(least, extent(self, start, duration))
 
     def begin(self, start: State) -> None:

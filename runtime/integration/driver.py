@@ -174,7 +174,9 @@ class Run(ABC):
                     each(self)
         finally:
             bar.close()
-        self.judge()
+        against = self.judge()
+        if against:
+            self.warn(against)
         return self.kept(message or "reached the end")
 
     def interrupted(self) -> Integration:
@@ -191,8 +193,9 @@ class Run(ABC):
         """Note what is known against the motion, and issue it once as a Python warning; see `Motion.warnings`."""
         self.result.warn(text, category)
 
-    def judge(self) -> None:
-        """Look at the motion when it has ended, and warn of what its method knows against it."""
+    def judge(self) -> str | None:
+        """What its method knows against the motion, which has ended; nothing for most."""
+        return None
 
     @property
     @abstractmethod

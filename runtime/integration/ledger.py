@@ -97,8 +97,8 @@ class Ledger:
     def share(self) -> float:
         """The missing energy over the largest kinetic energy, or what was dissipated and supplied if that is more.
 
-        Zero where it may be due to rounding or to the trapezoidal rule. Energy that seems to be added may be losses that
-        the rule overestimates, as those of a contact's first step, at most by all of them.
+        Zero where it may be due to rounding or to the trapezoidal rule. Energy that seems to be added may be losses
+        that the rule overestimates, as those of a contact's first step, at most by all of them.
         """
         moved = max(self._kinetic, self._through)
         doubt = ROUNDING * self._size + (2 * self.unsure if self.missing > 0 else self._through)

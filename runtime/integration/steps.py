@@ -36,14 +36,18 @@ class Control:
     Attributes
     ----------
     tolerance : float
-        Local error of the coordinates in their natural scales; infinite for steps of constant length.
+        Local error of coordinates and internal states over the size of the motion; infinite for steps of constant
+        length.
     first, longest : float
         Steps [s].
+    absolute : float
+        Local error of the coordinates in their natural scales that is always allowed.
     """
 
     tolerance: float
     first: float
     longest: float
+    absolute: float = 0.0
 
 
 class ImplicitRun(Run):
@@ -93,14 +97,14 @@ class ImplicitRun(Run):
             self.result.states.append(self.saddle.state(self.balance()))
             self.ledger.keep()
 
-    def judge(self) -> None:
-        """Warn if the method has taken out, or added, more than a small part of the energy of the motion."""
+    def judge(self) -> str | None:
+        """Whether the method has taken out, or added, more than a small part of the energy of the motion."""
         ledger = self.ledger
         if abs(ledger.share) <= LOST or not ledger.steps:
-            return
+            return None
         step = (self.t - float(self.times[0])) / ledger.steps
         did = "taken out" if ledger.missing > 0 else "added"
-        self.warn(
+        return (
             f"{self.method} has {did} {abs(ledger.missing):.2g} J, {abs(ledger.share):.0%} of the energy of the motion "
             f"(mean step {step:.2g} s); give a smaller rtol or step, or method='DOP853'"
         )
@@ -126,7 +130,7 @@ class GeneralizedAlpha(ImplicitRun):
         super().__init__(self.stepper, start, times)
         self.control = control
         if math.isfinite(control.tolerance):
-            self.stepper.expect(start, float(times[-1] - times[0]), control.tolerance)
+            self.stepper.expect(start, float(times[-1] - times[0]), control.tolerance, control.absolute)
         self._steps = self._rejected = self._at_contact = self._halvings = self._false = 0
         self._wish = min(control.first, control.longest)
         self._refused = (0.0, 0.0)  # length and error of a trial that was refused for its internal states
