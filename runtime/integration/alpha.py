@@ -62,7 +62,7 @@ class Stepper(Saddle):
         self.begin(start)
 
     def expect(self, start: State, duration: float, tolerance: float, absolute: float) -> None:
-        """Scale the tolerance at least by how far a motion is expected to go; it stays above an absolute one, and noise.
+        """Scale the tolerance by how far a motion may go, at least; it stays above `absolute`, and above noise.
 
         Parameters
         ----------
