@@ -93,7 +93,7 @@ HOMES = {  # sections of the page of public names: title and modules
     ),
     "Linearization": ("flexel.mechanics.linearization", "flexel.mechanics.modes", "flexel.linear.sampled"),
     "Many variants": ("flexel.results.ensemble", "flexel.results.linearizations"),
-    "Errors": ("flexel.base.errors", "flexel.derive.errors"),
+    "Errors": ("flexel.base.errors", "flexel.results.interrupted", "flexel.derive.errors"),
     "Pictures": ("flexel.pictures.scene", "flexel.pictures.solids"),
 }
 RETURNED = {  # functions and options of pictures that are not names of the package itself
@@ -138,7 +138,7 @@ def directive(name: str, module: str = "flexel") -> str:
     value = getattr(import_module(module), name)
     if not inspect.isclass(value):
         return f".. autofunction:: {module}.{name}\n"
-    if issubclass(value, Exception):
+    if issubclass(value, BaseException):
         return f".. autoexception:: {module}.{name}\n"
     families = [z for z in value.__mro__[1:] if z.__module__.startswith("flexel.")]
     if value is flexel.Model or not families:  # the methods of Model have pages of their own

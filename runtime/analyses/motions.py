@@ -15,6 +15,7 @@ from flexel.base.arguments import flag
 from flexel.base.arrays import Array
 from flexel.base.errors import FlexelError
 from flexel.integration import methods
+from flexel.integration.consistent import check_rates
 from flexel.integration.dop853 import Dop853
 from flexel.integration.driver import Run
 from flexel.integration.events import Event, checked
@@ -77,8 +78,11 @@ class Motions(Core):
             DOP853, RK45, LSODA, Radau or BDF of SciPy in minimal coordinates ("explicit" below); generalized-alpha;
             sundials, the backward differentiation formulas of SUNDIALS, for comparison (needs the optional package
             scikit-sundae); or auto.  This chooses DOP853, but generalized-alpha if a degree of freedom has no inertia,
-            if the largest eigenvalue of the linearized start times the duration exceeds 3e4, or above 300 degrees
-            of freedom; with events always DOP853.  ``motion.message`` reports which and why.
+            above 300 degrees of freedom, or if the motion is stiff: the largest eigenvalue of the linearized start
+            times the duration exceeds 3e4 (900 000 divided by the number of degrees of freedom where these are more
+            than 30), and 100 times the radians that any method must follow (those of modes whose amplitude at the
+            start exceeds a thousandth of the motion or that are unstable, of rotations, and knots of tables).  With
+            events always DOP853.  ``motion.message`` reports which and why.
         rtol : float, optional
             Local error in one step: explicit, relative to each variable, 1e-9 by default; generalized-alpha, of the
             coordinates relative to the largest range of a coordinate in this motion so far, in natural scales and at
@@ -120,8 +124,8 @@ class Motions(Core):
         Raises
         ------
         ModelError
-            An option that the method does not have; a load or a prescribed motion without a value; a checkpoint of
-            another simulation.
+            An option that the method does not have; a load or a prescribed motion without a value; a prescribed motion
+            whose rates are not those of its values; a checkpoint of another simulation.
         FlexelError
             A checkpoint that cannot be written: before the first step, or later; ``error.motion`` then holds the
             motion.
@@ -219,6 +223,7 @@ class Motions(Core):
         methods.check(method, options)
         begin = methods.start_of(self, method, start, options)
         grid = stored_times(begin, duration, times, samples, "simulate")
+        check_rates(self, begin.t, begin.t + float(duration))
         if method != methods.AUTO:
             return method, "", begin, grid, options
         chosen, why = methods.automatic(self, begin, float(duration), options)

@@ -9,11 +9,11 @@ import numpy as np
 from flexel.base.arrays import Array
 from flexel.base.shown import Table, listed
 from flexel.integration.methods import AUTO, Options, start_of
-from flexel.integration.stiffness import ALPHA, EXPLICIT, STIFF, suitable
+from flexel.integration.stiffness import ALPHA, EXPLICIT, RIGID, limit, stiff, suitable
 from flexel.mechanics.core import Core
 
 UNEVEN = 1e8  # ratio of inertias from which a system is called badly scaled: half the digits are lost
-RIGID = 1e-6  # relative to the largest eigenvalue: below it nothing resists the motion
+LONGER = 2.0  # times the longest motion for the explicit method: a long motion
 SHORT = 10.0  # longest motion [s] for the explicit method below which a system is called stiff
 
 
@@ -63,18 +63,22 @@ def _speed(system: Core) -> list[tuple[str, str]]:
     """The fastest eigenvalue at the start, and the integrator that `simulate` chooses by default."""
     if not system.roles.nq:
         return [("integrator", "none: every motion is prescribed")]
-    found = suitable(system, start_of(system, AUTO, None, Options()))
+    start = start_of(system, AUTO, None, Options())
+    found = suitable(system, start)
     if found.method:
         return [("integrator", f"{found.method}: {found.detail or found.why}")]
     uneven, fastest = _uneven(system, found.inertia), float(found.rates.max(initial=0.0))
     if not fastest:
         return [*uneven, ("integrator", EXPLICIT)]
-    slowest, longest = float(found.rates[found.rates > RIGID * fastest].min()), STIFF / fastest
-    stiff = " (stiff)" if longest < SHORT else ""
+    slowest, longest = float(found.rates[found.rates > RIGID * fastest].min()), limit(system) / fastest
+    suits = f"{EXPLICIT}, also for long motions from this start"
+    if stiff(system, start, found, LONGER * longest)[0]:
+        word = " (stiff)" if longest < SHORT else ""
+        suits = f"{EXPLICIT} up to {longest:.3g} s, {ALPHA} for longer motions{word}"
     return [
         *uneven,
         ("eigenvalues", f"{slowest:.3g} to {fastest:.3g} 1/s in magnitude at the start"),
-        ("integrator", f"{EXPLICIT} up to {longest:.3g} s, {ALPHA} for longer motions{stiff}"),
+        ("integrator", suits),
     ]
 
 

@@ -18,6 +18,7 @@ from flexel.base.arrays import Array
 from flexel.base.copies import OF_TIME, Constant, check_travels
 from flexel.base.errors import FlexelError, ModelError
 from flexel.base.jets import Jet, as_jet
+from flexel.base.nested import WITHIN
 from flexel.base.switching import next_switch, on_switch
 from flexel.base.time_tables import Table
 
@@ -46,7 +47,8 @@ class Formula(Constant):
     def rates(self, t: float) -> tuple[float, float, float]:
         """Value, first and second rate at time t [s]."""
         try:
-            y = as_jet(self.function(Jet(t, 1.0, 0.0)))
+            with WITHIN:
+                y = as_jet(self.function(Jet(t, 1.0, 0.0)))
         except FlexelError:
             raise
         except Exception as error:  # a user's function may raise anything
@@ -82,7 +84,8 @@ class Triple(Constant):
         """Value, first and second rate at time t [s]."""
         u, ud, udd = self.functions
         try:
-            values = float(u(t)), float(ud(t)), float(udd(t))
+            with WITHIN:
+                values = float(u(t)), float(ud(t)), float(udd(t))
         except FlexelError:
             raise
         except Exception as error:  # a user's function may raise anything
@@ -107,7 +110,8 @@ class Foreign(Constant):
 
     def rates(self, t: float) -> tuple[float, float, float]:
         """Value, first and second rate at time t [s]."""
-        return self.function.rates(t)
+        with WITHIN:
+            return self.function.rates(t)
 
     def next_knot(self, t: float) -> float:
         """The first knot after t that the object names, if it has such a method."""

@@ -7,13 +7,13 @@ the rate of any quantity is a row of J times v.
 
 from __future__ import annotations
 
-import threading
 from typing import Any
 
 import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
+from flexel.base.nested import Levels
 from flexel.base.once import once
 from flexel.engine.patterns import Pattern
 from flexel.engine.tables import Tables
@@ -37,7 +37,7 @@ class Evaluation:
     def __init__(self, structure: Structure) -> None:
         self.structure = structure
         self.large = structure.n > LARGE
-        self._threads = threading.local()
+        self._works = Levels(lambda: Workspace(self.tables))
 
     @once
     def tables(self) -> Tables:
@@ -60,11 +60,8 @@ class Evaluation:
 
     @property
     def work(self) -> Workspace:
-        """The workspace of this thread."""
-        found: Workspace | None = getattr(self._threads, "work", None)
-        if found is None:
-            found = self._threads.work = Workspace(self.tables)
-        return found
+        """The workspace of this thread; functions of the user that an evaluation calls have another one."""
+        return self._works.present()
 
     def matrix(self, pattern: Pattern, values: Array) -> Any:
         """A matrix of a pattern: dense, or sparse in a large model."""

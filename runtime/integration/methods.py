@@ -10,7 +10,7 @@ import numpy as np
 
 from flexel.base.arguments import step_limit, vector
 from flexel.base.arrays import Array
-from flexel.base.errors import ModelError
+from flexel.base.errors import FlexelError, ModelError
 from flexel.integration.dop853 import Dop853
 from flexel.integration.driver import Run
 from flexel.integration.events import Event
@@ -18,11 +18,12 @@ from flexel.integration.explicit import METHODS, Scipy
 from flexel.integration.followed import Followed
 from flexel.integration.minimal import Tolerances
 from flexel.integration.steps import Control, GeneralizedAlpha
-from flexel.integration.stiffness import ALPHA, EXPLICIT, STIFF, suitable
+from flexel.integration.stiffness import ALPHA, EXPLICIT, stiff, suitable
 from flexel.integration.sundials import Sundials
 from flexel.mechanics.core import Core
 from flexel.mechanics.inertia import InertiaError
 from flexel.mechanics.reach import lost, reach
+from flexel.structure.callbacks import Callback
 from flexel.structure.moment import Moment
 from flexel.structure.state import State, own_state
 from flexel.structure.structure import Structure
@@ -38,6 +39,7 @@ OPTIONS: dict[str, frozenset[str]] = {  # by method; the remaining options apply
     SUNDIALS: _STEPS | {"max_order"},
 }
 RTOL, ATOL, IMPLICIT_RTOL = 1e-9, 1e-11, 1e-6
+SOON = 200  # steps after which a motion is linearized if its start cannot be
 LEAST_ATOL = 1e-100  # a smaller value would overflow
 RADIUS, NEWTON, MAX_ORDER = 0.8, "full", 2
 
@@ -117,14 +119,29 @@ def automatic(system: Core, start: State, duration: float, options: Options) -> 
     if options.events:
         return _because(EXPLICIT, "events are given")
     found = suitable(system, start)
+    if found.method == EXPLICIT:  # as where a law has an infinite derivative at the start
+        start = _soon(system, start, duration)
+        found = suitable(system, start)
     if found.method:
         return _because(found.method, found.why)
-    turns = float(found.rates.max(initial=0.0)) * duration
-    stiff = turns > STIFF
-    return _because(
-        ALPHA if stiff else EXPLICIT,
-        f"max|λ|·duration = {turns:.2g} at the start, {'above' if stiff else 'at most'} {STIFF:g}",
+    implicit, why = stiff(system, start, found, duration)
+    return _because(ALPHA if implicit else EXPLICIT, why)
+
+
+def _soon(system: Core, start: State, duration: float) -> State:
+    """A state a few steps after the start; the start itself if there is none."""
+    if any(isinstance(law.code, Callback) for law in start.structure.laws):
+        return start  # what the user's code keeps from call to call would be that of a motion that is thrown away
+    run = Dop853(
+        system, start, np.array([start.t, start.t + duration]), Tolerances(RTOL, ATOL, None, np.inf), (), True
     )
+    try:
+        run.begin()
+        while run.statistics["steps"] < SOON and run.t < start.t + duration:
+            run.forward()
+        return run.present
+    except FlexelError:
+        return start
 
 
 def _because(method: str, why: str) -> tuple[str, str]:

@@ -12,13 +12,17 @@ from flexel.base.callers import outside
 from flexel.base.errors import FlexelError, StiffWarning
 from flexel.engine.solvers import eigenvalues
 from flexel.integration.driver import Run
+from flexel.integration.excitation import followed
 from flexel.mechanics.core import Core
 from flexel.mechanics.inertia import InertiaError
 from flexel.structure.state import State
 
 EXPLICIT, ALPHA = "DOP853", "generalized-alpha"
 STIFF = 3e4  # max |λ| times the duration from which a motion is integrated implicitly
+SMALL = 30  # degrees of freedom above which a step of an explicit method costs more than one of an implicit method
+SPREAD = 100.0  # ratio of max |λ| to the rates that the motion follows from which it is integrated implicitly
 MANY = 300  # degrees of freedom above which it is integrated implicitly whatever its eigenvalues
+RIGID = 1e-6  # relative to the largest eigenvalue: below it nothing resists the motion
 LOOK = 1000  # steps after which an explicit integration is looked at: short motions cost nothing more
 LONG = 5 * LOOK  # steps of a motion that is called long
 
@@ -35,6 +39,8 @@ class Suitable:
         Why, and the message of the error that shows it.
     rates : ndarray
         Magnitudes of the eigenvalues [1/s] of the linearized state, if it was linearized.
+    matrix : ndarray
+        Its state matrix.
     inertia : ndarray (nd,)
         Inertia of each dynamic degree of freedom in its natural scale [kg m²], if it was linearized.
     """
@@ -43,6 +49,7 @@ class Suitable:
     why: str = ""
     detail: str = ""
     rates: Array = field(default_factory=lambda: np.zeros(0))
+    matrix: Array = field(default_factory=lambda: np.zeros((0, 0)))
     inertia: Array = field(default_factory=lambda: np.zeros(0))
 
 
@@ -53,11 +60,29 @@ def suitable(system: Core, state: State) -> Suitable:
     try:
         lin = system._linearization(state)
         inertia = np.diag(lin.M) * system.kinematics.scales(system.roles.dynamic) ** 2
-        return Suitable("", rates=np.abs(eigenvalues(lin.state_matrix)), inertia=inertia)
+        matrix = lin.state_matrix
+        return Suitable("", rates=np.abs(eigenvalues(matrix)), matrix=matrix, inertia=inertia)
     except InertiaError as error:
         return Suitable(ALPHA, "a degree of freedom has no inertia", str(error))
     except (FlexelError, np.linalg.LinAlgError) as error:
         return Suitable(EXPLICIT, "the start cannot be linearized", str(error))
+
+
+def limit(system: Core) -> float:
+    """Max |λ| times the duration from which a motion is integrated implicitly if it does not excite what is fast."""
+    return STIFF / max(1.0, system.roles.nd / SMALL)
+
+
+def stiff(system: Core, state: State, found: Suitable, duration: float) -> tuple[bool, str]:
+    """Whether a motion from a state that was linearized is stiff, and why or why not."""
+    turns, most = float(found.rates.max(initial=0.0)) * duration, limit(system)
+    fastest = f"max|λ|·duration = {turns:.2g} at t = {state.t:.3g} s"
+    if turns <= most:
+        return False, f"{fastest}, at most {most:.3g}"
+    turned = followed(system, state, found.matrix, duration)
+    if turns <= SPREAD * turned:
+        return False, f"{fastest}, and what moves turns through {turned:.2g} rad, not {SPREAD:g} times less"
+    return True, f"{fastest}, above {most:.3g}"
 
 
 class Watch:
@@ -95,9 +120,10 @@ class Watch:
         if count < LONG:
             return
         demands = suitable(self.system, run.present)
-        turns = float(demands.rates.max(initial=0.0)) * (end - float(run.times[0]))
-        if turns > STIFF:
-            why = f"its largest eigenvalue is {demands.rates.max():.2g} 1/s in magnitude at t = {run.t:.3g} s"
+        fastest = float(demands.rates.max(initial=0.0))
+        slowest = float(demands.rates[demands.rates > RIGID * fastest].min(initial=np.inf))
+        if fastest * (end - float(run.times[0])) > STIFF and fastest > SPREAD * slowest:
+            why = f"its largest eigenvalue is {fastest:.2g} 1/s in magnitude at t = {run.t:.3g} s"
         elif demands.method == ALPHA:
             why = demands.why
         else:

@@ -26,6 +26,7 @@ from flexel.mechanics.linearization import Linearization
 from flexel.mechanics.linearize import linearize
 from flexel.mechanics.reach import lost, reach, warn_replaced
 from flexel.mechanics.start_rates import consistent_rates
+from flexel.structure.callbacks import Callback, raise_failures
 from flexel.structure.controllers import check_smooth
 from flexel.structure.loads import Loads
 from flexel.structure.moment import Moment
@@ -177,6 +178,11 @@ class Core:
         choice.reset()
         choice.warm(Moment.of(state) if isinstance(state, State) else state)
 
+    @cached_property
+    def _commanded(self) -> bool:
+        """Whether forces come from continuous controllers."""
+        return any(isinstance(law.code, Callback) for law in self.structure.laws)
+
     def rhs(self, t: float, y: Array) -> Array:
         """Rates of y = (q_d, q_k, q_d', z) (nq + nd + nz,) at time t [s]."""
         if type(t) is not float or not -LARGEST <= t <= LARGEST:
@@ -189,6 +195,8 @@ class Core:
         choice.y[:] = y
         if code := choice.rhs(t):
             raise self.kinematics.failure(code, t)
+        if self._commanded:
+            raise_failures(law.code for law in self.structure.laws)
         return choice.dy.copy()
 
     def residual(self, t: float, q: Array, qd: Array, qdd: Array, guess: State) -> Array:

@@ -8,7 +8,6 @@ non-holonomic rows.
 
 from __future__ import annotations
 
-import threading
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -18,6 +17,7 @@ from scipy.sparse import csc_array
 
 from flexel.base.arrays import Array
 from flexel.base.errors import ConstraintError, FlexelError, ModelError, PositionError
+from flexel.base.nested import Levels
 from flexel.base.once import once
 from flexel.base.time_functions import TimeFunction
 from flexel.engine.choice import Choice, ChoiceLists
@@ -98,7 +98,7 @@ class Kinematics:
         self.roles, self.loads = roles, loads
         self._timed = bool(roles.motions) or loads.any
         self._scale = natural_scales(self.structure)
-        self._threads = threading.local()
+        self._choices = Levels(lambda: Choice(self.evaluation.work, self.lists))
 
     def __reduce__(self) -> tuple[type[Kinematics], tuple[Evaluation, Roles, Loads]]:
         """Pickled and copied as its arguments: its lists are made again."""
@@ -127,10 +127,7 @@ class Kinematics:
     @property
     def choice(self) -> Choice:
         """The arrays of this choice of degrees of freedom in the workspace of this thread."""
-        found: Choice | None = getattr(self._threads, "choice", None)
-        if found is None:
-            found = self._threads.choice = Choice(self.evaluation.work, self.lists)
-        return found
+        return self._choices.present()
 
     @property
     def time_functions(self) -> tuple[TimeFunction, ...]:

@@ -16,6 +16,7 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import FlexelError
+from flexel.base.nested import WITHIN
 from flexel.derive.spec import InternalSpec, KernelSpec, LawSpec, OutputSpec
 from flexel.generated._kernels import ffi
 from flexel.structure.controllers import Controller
@@ -139,7 +140,8 @@ class Callback:
 
         def run(_: int, given: Any, out: Any) -> None:
             try:
-                found = kernel(given)
+                with WITHIN:
+                    found = kernel(given)
             except BaseException as error:  # an interrupt too: nothing may leave a function that C has called
                 self._failed.error = error
                 found = [np.full(size, np.nan) for size in sizes]

@@ -108,7 +108,7 @@ def test_a_summary_names_what_a_system_is() -> None:
         "rear contact.x",
         "4 of them zero",
         "3.13 to 5.53 1/s",
-        "DOP853 up to",
+        "DOP853, also for long motions from this start",
     ):
         assert part in text
     assert "lean.angle" in bicycle()._repr_html_()

@@ -1,0 +1,76 @@
+"""How far a motion turns in what it excites: any integrator must follow that; what rests may be stepped over.
+
+A system is stiff for a motion if its fastest eigenvalues belong to modes that the motion does not excite.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from flexel.base.arrays import Array
+from flexel.mechanics.core import Core
+from flexel.mechanics.rigid import spectrum
+from flexel.structure.state import State
+
+SEEN = 1e-3  # amplitude of a mode, relative to the range of the motion, from which it is followed
+DECAY = 15.0  # time constants after which a damped mode has vanished
+GROWTH = 10.0  # time constants after which an unstable mode matters, whatever its amplitude at first
+
+
+def followed(system: Core, state: State, A: Array, duration: float) -> float:
+    """Radians through which the modes turn that a motion excites; knots of tables count as one each.
+
+    The motion is that of the equations linearized at its start, y' = f + A (y - y0): mode i with eigenvalue λ_i and
+    left and right eigenvectors l_i, r_i has the amplitude l_i·f / (l_i·r_i λ_i).
+
+    Parameters
+    ----------
+    system : Core
+    state : State
+        The start, with its accelerations.
+    A : ndarray (2 nd + nk + nz, 2 nd + nk + nz)
+        Its state matrix.
+    duration : float
+        [s]
+    """
+    nd = system.roles.nd
+    eigenvalues, left, right = spectrum(A, nd)
+    f = _rates(system, state)
+    moving = np.abs(eigenvalues) > 0
+    w, r = eigenvalues[moving], right[:, moving]
+    amplitudes = left[:, moving].conj().T @ f / (left[:, moving].conj() * r).sum(axis=0)
+    rigid = f - (r @ amplitudes).real
+    parts = np.abs(r * amplitudes / np.maximum(np.abs(w), 1 / duration))[nd:]
+    parts = parts / _sizes(system, A, parts, rigid, duration)[:, None]
+    lasting = np.where(w.real < 0, np.minimum(duration, DECAY / np.maximum(-w.real, 1e-300)), duration)
+    seen = (parts.max(axis=0, initial=0.0) > SEEN) | (w.real * duration > GROWTH)
+    turned = float((np.abs(w) * lasting)[seen].max(initial=0.0))
+    return max(turned, _rotation(system, state) * duration, _knots(system, state.t, state.t + duration))
+
+
+def _rates(system: Core, state: State) -> Array:
+    """Derivatives of (q_d', q_d, q_k, z)."""
+    dynamic, dofs = system.roles.dynamic, system.roles.dofs
+    return np.concatenate([state.Phi_v[dynamic], state.rates[dofs], state.zd])
+
+
+def _sizes(system: Core, A: Array, parts: Array, rigid: Array, duration: float) -> Array:
+    """Ranges of (q_d, q_k, z): of degrees of freedom the largest in natural scales, of internal states of each."""
+    nd, nq = system.roles.nd, system.roles.nq
+    ranges = parts.sum(axis=1) + np.abs(rigid[nd:]) * duration
+    ranges[:nd] += np.abs(rigid[:nd]) * duration**2 / 2
+    scales = system.kinematics.scales(system.roles.dofs)
+    ranges[:nq] = scales * (ranges[:nq] / scales).max(initial=0.0)
+    return np.asarray(np.maximum(ranges, 1e-300))
+
+
+def _rotation(system: Core, state: State) -> float:
+    """The fastest rate [rad/s] among angles and Euler parameters."""
+    units = np.array(system.structure.units, dtype=object)
+    return float(np.abs(state.rates[(units == "rad") | (units == "-")]).max(initial=0.0))
+
+
+def _knots(system: Core, begin: float, end: float) -> float:
+    """How many knots of tables lie within the motion: every step ends at one."""
+    tables = [np.asarray(getattr(z, "knots", ())) for z in system.kinematics.time_functions]
+    return float(sum(np.count_nonzero((knots > begin) & (knots < end)) for knots in tables))

@@ -1,0 +1,81 @@
+"""Functions of the user that use the system they belong to, within its own evaluations."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+import flexel as fx
+
+
+def swung(method: str, used: str, period: float | None = None) -> float:
+    """The end of a motion of a pendulum with a controller and a load, one of which uses a state of the system."""
+    box: dict[str, Any] = {}
+
+    def use(by: str) -> None:
+        if by == used and box:
+            assert box["start"].J.any()  # evaluates the position of another state
+
+    def controller(t: float, y: Any) -> Any:
+        use("controller")
+        return -1.0 * y
+
+    def load(t: Any) -> Any:
+        use("load")
+        return np.sin(t)
+
+    m = fx.Model(gravity=(0, -9.81))
+    m.point("O", (0, 0), fixed=True)
+    m.point("A", (0.3, -0.9))
+    m.truss("rod", "O", "A")
+    m.point_mass("mass", "A", 1.0)
+    m.controller(controller, inputs=["A.x"], outputs=["A.x"], name="c", period=period)
+    m.load("A.y", load)
+    system = m.build()
+    box["start"] = system.initial
+    return float(system.simulate(1.0, samples=3, method=method)["A.x"][-1])
+
+
+@pytest.mark.parametrize("method", ["DOP853", "RK45", "generalized-alpha"])
+@pytest.mark.parametrize("period", [None, 0.1])
+def test_controllers_and_loads_may_use_their_system(method: str, period: float | None) -> None:
+    """The evaluation that called them goes on with its own position: before, the pendulum did not move."""
+    expected = swung(method, "nothing", period)
+    assert abs(expected - 0.3) > 0.1
+    assert swung(method, "controller", period) == expected
+    assert swung(method, "load", period) == expected
+
+
+def test_a_function_that_evaluates_what_calls_it_is_named() -> None:
+    box: dict[str, fx.System] = {}
+    m = fx.Model()
+    m.point_mass("mass", m.point("A", (0, 0)), 1.0)
+    m.fix("A.y")
+
+    def controller(t: float, y: Any) -> Any:
+        if box:
+            box["system"].rhs(t, np.array([y[0], 0.0]))
+        return -1.0 * y
+
+    m.controller(controller, inputs=["A.x"], outputs=["A.x"], name="c")
+    box["system"] = m.build()
+    with pytest.raises(fx.ModelError, match=r"evaluates the system that calls it, without end"):
+        box["system"].simulate(1.0)
+
+
+def test_a_right_hand_side_raises_what_a_controller_raises() -> None:
+    """Before, the accelerations were not numbers, and the next call raised."""
+
+    def broken(t: float, y: Any) -> Any:
+        if t > 0:
+            raise ValueError("no value")
+        return -1.0 * y
+
+    m = fx.Model()
+    m.point_mass("mass", m.point("A", (0, 0)), 1.0)
+    m.fix("A.y")
+    m.controller(broken, inputs=["A.x"], outputs=["A.x"], name="c")
+    system = m.build()
+    with pytest.raises(fx.ModelError, match=r"controller 'c' at t = 1 s: the function failed \(.*no value"):
+        system.rhs(1.0, np.array([1.0, 0.0]))
+    assert system.rhs(0.0, np.array([1.0, 0.0])).tolist() == [0.0, -1.0]

@@ -1,0 +1,140 @@
+"""The method that `simulate` chooses by itself: implicit where what is fast does not move, or where that is cheap."""
+
+from typing import Any
+
+import numpy as np
+import pytest
+import sympy as sp
+
+import flexel as fx
+from flexel.integration.methods import Options, automatic
+
+
+def chosen(system: fx.System, duration: float) -> tuple[str, str]:
+    """The method for a motion from the start, and why."""
+    return automatic(system, system.initial, duration, Options())
+
+
+def pendulum(angle: float = 0.3) -> fx.System:
+    """A mass on a rigid rod of 1 m, released at an angle from the vertical [rad]."""
+    m = fx.Model(gravity=(0, -9.81))
+    O, A = m.point("O", (0, 0), fixed=True), m.point("A", (np.sin(angle), -np.cos(angle)))
+    m.truss("rod", O, A)
+    m.point_mass("mass", A, 1.0)
+    return m.build()
+
+
+def masses(
+    stiffness: float, rates: tuple[float, float] = (1.0, 1.0), law: Any = None, load: Any = 0.0
+) -> fx.System:
+    """Two masses of 1 kg in a row on springs of 1 N/m and of the given stiffness [N/m], with rates [m/s]."""
+    m = fx.Model()
+    O, A, B = m.point("O", (0, 0), fixed=True), m.point("A", (1, 0)), m.point("B", (1.5, 0))
+    m.fix("A.y", "B.y")
+    m.truss("soft", O, A, stiffness=1.0)
+    m.truss("hard", A, B, stiffness=stiffness)
+    for name, point, rate in zip(("a", "b"), (A, B), rates, strict=True):
+        m.point_mass(name, point, 1.0)
+        m.initial(f"{point.name}.x", rate=rate)
+    if law:
+        m.law("soft.elongation", law)
+    m.load("B.x", load)
+    return m.build()
+
+
+def test_a_motion_that_is_only_long_is_not_stiff() -> None:
+    """A pendulum of about 3 rad/s for 12 000 s: every method must follow its 35 000 radians."""
+    method, why = chosen(pendulum(), 12000.0)
+    assert method == "DOP853"
+    assert why.endswith(
+        "max|λ|·duration = 3.5e+04 at t = 0 s, and what moves turns through 3.5e+04 rad, not 100 times less"
+    )
+
+
+def test_a_small_vibration_that_is_all_that_moves_is_not_stiff() -> None:
+    """0.1 µm at 1e4 rad/s, in a machine of 1 m."""
+    m = fx.Model()
+    O, P = m.point("O", (0, 0), fixed=True), m.point("P", (1, 0))
+    m.fix("P.y")
+    m.truss("spring", O, P, stiffness=1e8)
+    m.point_mass("mass", P, 1.0)
+    m.initial("P.x", rate=1e-3)
+    assert chosen(m.build(), 20.0)[0] == "DOP853"
+
+
+@pytest.mark.parametrize(
+    ("rates", "method"),
+    [((1.0, 1.0), "generalized-alpha"), ((1.0, 1.000001), "generalized-alpha"), ((1.0, -1.0), "DOP853")],
+)
+def test_a_motion_is_stiff_if_what_is_fast_rests(rates: tuple[float, float], method: str) -> None:
+    """Masses that move together, with a vibration of 3e-11 of their motion, and against one another at 1.4e4 rad/s."""
+    # Against one another: an amplitude of 7e-5 m beside no other motion.
+    assert chosen(masses(1e8, rates), 4.0)[0] == method
+    assert chosen(masses(1e8, rates), 0.01)[0] == "DOP853"
+
+
+def test_a_stiff_motion_is_right_and_has_its_energies() -> None:
+    """Both masses on the soft spring: x = sin(ω t) / ω with ω² = 1/2."""
+    motion = masses(1e8).simulate(4.0, samples=5)
+    assert (
+        "generalized-alpha, chosen because max|λ|·duration = 5.7e+04 at t = 0 s, above 3e+04"
+        in motion.message
+    )
+    assert motion.ledger is not None
+    omega = np.sqrt(0.5)
+    np.testing.assert_allclose(motion["A.x"], 1 + np.sin(omega * motion.t) / omega, atol=5e-4)
+
+
+def test_an_unstable_mode_at_rest_counts_as_moving() -> None:
+    """A needle upright on its tip rests, but any disturbance grows by 3.1 1/s."""
+    m = fx.Model(gravity=(0, -9.81))
+    O, A = m.point("O", (0, 0), fixed=True), m.point("A", (0, 1))
+    m.truss("needle", O, A)
+    m.point_mass("mass", A, 1.0)
+    assert chosen(m.build(), 20000.0)[0] == "DOP853"
+
+
+def test_knots_of_tables_are_steps_of_every_method() -> None:
+    """A road of 40 points a second: 1.4e4 rad/s for 4 s are stiff with a smooth load, not with 1600 knots."""
+    t = np.linspace(0, 4, 1601)
+    road = fx.Table(t, np.sin(t), kind="linear")
+    assert chosen(masses(1e8, load=road), 4.0)[0] == "DOP853"
+    assert chosen(masses(1e8), 4.0)[0] == "generalized-alpha"
+
+
+def test_large_models_are_integrated_implicitly_earlier() -> None:
+    """A steel wire of 1 m with 180 degrees of freedom that starts to sag, for 1 s, beside one with 15."""
+
+    def wire(count: int) -> fx.System:
+        m = fx.Model(gravity=(0, 0, -9.81))
+        last = m.point("O", (0, 0, 0), fixed=True)
+        for i in range(count):
+            point = m.point(f"P{i}", ((i + 1) / count, 0, 0))
+            m.truss(f"t{i}", last, point, stiffness=3e4)
+            m.point_mass(f"m{i}", point, 1.0 / count)
+            last = point
+        return m.build()
+
+    def long(system: fx.System) -> float:
+        """The duration in which the fastest mode turns by 1e4 rad."""
+        return 1e4 / float(
+            np.abs(np.linalg.eigvals(system._linearization(system.initial).state_matrix)).max()
+        )
+
+    small, large = wire(5), wire(60)
+    assert chosen(small, long(small))[0] == "DOP853"
+    method, why = chosen(large, long(large))
+    assert method == "generalized-alpha" and why.endswith("above 5e+03")
+
+
+def orifice(e: Any, ed: Any) -> Any:
+    """A force with the root of the rate: its slope at rest is infinite."""
+    return sp.sign(ed) * sp.sqrt(sp.Abs(ed))
+
+
+@pytest.mark.parametrize(("stiffness", "method"), [(1e9, "generalized-alpha"), (100.0, "DOP853")])
+def test_a_start_that_cannot_be_linearized_is_judged_a_little_later(stiffness: float, method: str) -> None:
+    system = masses(stiffness, (0.0, 0.0), orifice, 1.0)
+    with pytest.raises(fx.FlexelError):
+        system.linearize(system.initial)
+    assert chosen(system, 20.0)[0] == method
