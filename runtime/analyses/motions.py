@@ -140,7 +140,7 @@ class Motions(Core):
             If an explicit method turns out to need many thousands of steps because the system is stiff.
         DampingWarning
             If an implicit method has taken out more than 1 % of the energy of the motion: the larger of its kinetic
-            energy and what was dissipated and supplied. ``motion.warnings`` keeps the message.
+            energy and what was dissipated and supplied. ``motion.warnings`` and ``motion.message`` keep it.
         RangeWarning
             If a quantity is outside the data of its law at a stored time, or a beam is bent or twisted by more than
             15° within one element, by name.
@@ -264,8 +264,8 @@ def _each(*calls: Callable[[Run], None] | None) -> Callable[[Run], None] | None:
 
 
 def _explained(found: Integration, *why: str) -> Integration:
-    """The result, with a message that reports how the method was chosen and what was found about it."""
-    reasons = "; ".join(z for z in why if z)
+    """The result, with a message that reports how the method was chosen and what was found about it and the motion."""
+    reasons = "; ".join(text for text in (*why, *found.warnings) if text)
     return replace(found, message=f"{found.message} ({reasons})") if reasons else found
 
 

@@ -72,7 +72,7 @@ def test_an_unstable_vibration_that_long_steps_hold_at_rest_is_named() -> None:
 
 
 @pytest.mark.parametrize(("step", "warned"), [(0.052, True), (0.0005, False)])
-def test_a_free_rotor_that_long_steps_slow_down_is_named(step: float, warned: bool) -> None:
+def test_a_free_rotor_that_long_steps_slow_down_is_named(step: float, warned: bool, tmp_path: Path) -> None:
     """A warning names the method, the energy that it took out, and the step."""
     m = fx.Model()
     m.point("O", (0, 0, 0))
@@ -92,6 +92,9 @@ def test_a_free_rotor_that_long_steps_slow_down_is_named(step: float, warned: bo
     assert kinetic[-1] < 0.2 * kinetic[0]
     assert len(motion.warnings) == 1
     assert "smaller rtol or step" in motion.warnings[0]
+    assert motion.warnings[0] in motion.message
+    motion.save(tmp_path / "motion.npz")
+    assert fx.load(tmp_path / "motion.npz").warnings == motion.warnings
 
 
 def pusher(gain: float, frequency: float) -> fx.System:
