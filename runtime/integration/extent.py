@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from flexel.base.arrays import Array
+from flexel.base.errors import ModelError
 from flexel.base.time_functions import calls_user
 from flexel.mechanics.balance import Saddle
 from flexel.mechanics.saddle import SaddlePattern
@@ -42,8 +43,19 @@ def extent(saddle: Saddle, start: State, duration: float) -> float:
     found = [_displacement(saddle, pattern, start, part * duration, start.t) for part in PARTS]
     driven = saddle.system.kinematics.time_functions
     if driven and not any(map(calls_user, driven)):
-        found += [_displacement(saddle, pattern, start, duration, start.t + at * duration) for at in LOOKS]
+        found += [_later(saddle, pattern, start, duration, start.t + at * duration) for at in LOOKS]
     return min(max(found), 1.0)
+
+
+def _later(saddle: Saddle, pattern: SaddlePattern, start: State, step: float, t: float) -> float:
+    """Largest displacement in a step with the loads at a later time; zero where a table has ended before.
+
+    The motion reports that by itself if it comes so far.
+    """
+    try:
+        return _displacement(saddle, pattern, start, step, t)
+    except ModelError:
+        return 0.0
 
 
 def _displacement(saddle: Saddle, pattern: SaddlePattern, start: State, step: float, t: float) -> float:
