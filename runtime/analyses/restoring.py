@@ -12,10 +12,13 @@ from flexel.base.arrays import Index
 from flexel.base.errors import ModelError
 from flexel.mechanics import dynamics
 from flexel.mechanics.core import Core
+from flexel.mechanics.kinematics import wrap
 from flexel.results.motion import Motion
 from flexel.structure.roles import Roles
 from flexel.structure.state import State
 from flexel.structure.structure import Structure
+
+FITS = 1e-6  # violation of a constraint, in natural scales, from which a position belongs to a model of other dimensions
 
 
 class Restoring(Core):
@@ -40,7 +43,7 @@ class Restoring(Core):
         Raises
         ------
         ModelError
-            A time that is not stored; a model with other quantities or other constraints.
+            A time that is not stored; a model with other quantities, other constraints or other dimensions.
         """
         state = _stored(saved, time)
         if flag(as_saved, "restore", "as_saved"):
@@ -57,6 +60,7 @@ def restored(system: Core, state: State) -> State:
 def _roles(system: Core, state: State) -> Roles:
     """The roles of a system with a saved state's choice of degrees of freedom."""
     _check_names(system.structure, state.structure)
+    _check_constraints(system, state)
     roles, rows = system.roles, [state.roles.dynamic, state.roles.kinematic]
     if all(np.array_equal(a, b) for a, b in zip(rows, (roles.dynamic, roles.kinematic), strict=True)):
         return roles
@@ -98,6 +102,22 @@ def _check_names(own: Structure, other: Structure) -> None:
         raise ModelError(
             "restore: this model was declared in another order, or has other coordinates, than the saved one; build "
             "the model that was saved"
+        )
+
+
+def _check_constraints(system: Core, state: State) -> None:
+    """Check that a saved position fulfils the constraints of the model, which may have other dimensions."""
+    rows, structure = system.roles.rigid, system.structure
+    e = system.evaluation.position(state.x, state.e)[0]
+    period = structure.period[rows]
+    held = wrap(e[rows], period)
+    off = np.abs(held) / system.kinematics.scales(rows)
+    if off.max(initial=0.0) > max(FITS, 10 * state.drift):
+        k = int(np.argmax(off))
+        raise ModelError(
+            f"restore: the saved position does not fit this model: the rigid '{structure.names[rows[k]]}' would be "
+            f"{held[k]:.3g} {structure.units[rows[k]]}; build the model that was saved, with the same dimensions, or "
+            "take system.state_at with the saved degrees of freedom"
         )
 
 

@@ -9,10 +9,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from flexel.base.arrays import Array
+from flexel.base.arrays import Array, Index
 from flexel.engine.kernels import Batch
 from flexel.engine.lanes import LANES, blocks
-from flexel.engine.tables import EVERY
+from flexel.engine.tables import EVERY, Tables
 from flexel.engine.workspace import Workspace
 from flexel.generated._kernels import ffi, lib
 
@@ -114,3 +114,9 @@ def _is_contact(batch: Batch) -> bool:
     kinds = [d.kind for d in getattr(spec, "deformations", ())]
     lengths = any(p.name == "l0" for p in spec.parameters)
     return bool(kinds) and all(z == "gap" for z in kinds) and lengths and "inertia" not in spec.kernels
+
+
+def rope_gaps(tables: Tables) -> Index:
+    """Places in e of the gaps of the contacts along ropes."""
+    places = [b.places["sigma"].ravel() for b in tables.elements if _is_contact(b)]
+    return np.concatenate(places) if places else np.zeros(0, dtype=np.intp)

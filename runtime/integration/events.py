@@ -4,18 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from functools import cache
 from typing import Any
-
-from scipy.optimize import brentq
 
 from flexel.base.arguments import flag, number, text
 from flexel.base.copies import Constant, check_travels
 from flexel.base.errors import ModelError
+from flexel.integration.crossings import LOCATED, crossings
 from flexel.integration.outcome import Segment
 from flexel.structure.state import State
 
 INSTANT = 1e-9  # relative to the times: an event found within this time is the one at which the motion starts
-LOCATED = 1e-13  # accuracy of the time of an event [s]
 
 
 @dataclass(frozen=True)
@@ -34,6 +33,12 @@ class Event(Constant):
     Notes
     -----
     A motion that starts at an event, for example from its state, does not trigger it again immediately.
+
+    The function is looked at inside each step too.  Two crossings in one step are found if the function is
+    continuous and its size has a single minimum between them and the samples around them, at quarters of the step and
+    near its ends.  A function that only touches zero does not cross it.  A function that jumps, such as one that is 1
+    within a gate and -1 elsewhere, may be passed unseen: give a distance that changes its sign, or a `max_step` shorter
+    than the passage.
     """
 
     name: str
@@ -92,6 +97,9 @@ def passages(
 ) -> tuple[list[tuple[Event, State]], list[float]]:
     """Zero crossings within a step, in the order of time, and the functions at its end.
 
+    Each function is sampled within the step.  Where its size has a minimum between samples, the minimum is searched
+    for, so that two crossings between two samples are found too.
+
     Parameters
     ----------
     events : sequence of Event
@@ -106,14 +114,14 @@ def passages(
     after = [value(event, last) for event in events]
     found: list[tuple[Event, State]] = []
     begun = times[0] + INSTANT * times[1] + 10 * LOCATED
+    at = cache(step.state)  # shared by all events
     for event, g0, g1 in zip(events, before, after, strict=True):
-        if (g0 < 0 <= g1 or g1 <= 0 < g0) and (event.direction == 0 or event.direction * (g1 - g0) > 0):
-            ends = {step.t0: g0, step.t1: g1}  # the values found before, so that brentq sees the same signs
+        ends = {step.t0: g0, step.t1: g1}  # the values found before, so that all see the same signs
 
-            def function(t: float, event: Event = event, ends: dict[float, float] = ends) -> float:
-                return ends[t] if t in ends else value(event, step.state(t))
+        def function(t: float, event: Event = event) -> float:
+            return value(event, at(t))
 
-            t = float(brentq(function, step.t0, step.t1, xtol=LOCATED, rtol=8.9e-16))
+        for t in crossings(function, ends, event.direction):
             if t > begun:
-                found.append((event, step.state(t)))
-    return sorted(found, key=lambda z: z[1].t), after
+                found.append((event, at(t)))
+    return sorted(found, key=lambda passage: passage[1].t), after

@@ -12,6 +12,7 @@ import numpy as np
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError
 from flexel.integration.alpha import Stepper
+from flexel.integration.contact_watch import ContactWatch
 from flexel.integration.driver import Run
 from flexel.integration.ledger import Ledger
 from flexel.mechanics import dynamics
@@ -131,6 +132,9 @@ class GeneralizedAlpha(ImplicitRun):
         self.control = control
         if math.isfinite(control.tolerance):
             self.stepper.expect(start, float(times[-1] - times[0]), control.tolerance, control.absolute)
+        self._watch = ContactWatch(
+            self.stepper.work, (control.tolerance + control.absolute) * self.stepper.length
+        )
         self._steps = self._rejected = self._at_contact = self._halvings = self._false = 0
         self._wish = min(control.first, control.longest)
         self._refused = (0.0, 0.0)  # length and error of a trial that was refused for its internal states
@@ -199,6 +203,8 @@ class GeneralizedAlpha(ImplicitRun):
         """One accepted step."""
         stepper, now, until = self.stepper, self.t, min(self.until, self.stop)
         gap = until - now
+        if self._watch.any:
+            self._watch.note(self.balance().a)
         parts = max(math.ceil(gap / min(self._wish, self.control.longest) * (1 - 1e-9)), 1)
         step = asked = gap / parts
         while (error := self._error(step)) > 1.0:
@@ -231,6 +237,9 @@ class GeneralizedAlpha(ImplicitRun):
         ledger.look()
         if self._false < MOST_FALSE and ledger.spurious(h, stepper.balancing.struct.scale):
             self._false += 1
+            return math.inf
+        if self._watch.any and self._watch.skipped(h):
+            self._at_contact += 1
             return math.inf
         if self._halvings < MOST_HALVINGS:
             begun = ledger.new_penetration()

@@ -171,3 +171,23 @@ def test_a_state_of_another_model_is_refused_by_name(motion: fx.Motion, tmp_path
         fx.ModelError, match=r"restore: the saved state has the degrees of freedom \('B\.x',\)"
     ):
         held.build().restore(free)
+
+
+def test_a_state_of_a_model_with_other_dimensions_is_refused_by_name() -> None:
+    """A rod of 1 m in a model whose rod has 2 m: before, the state was handed over with the rod cut to half."""
+
+    def pendulum(length: float, mass: float = 1.0) -> fx.System:
+        m = fx.Model(gravity=(0, -9.81))
+        m.point("O", (0, 0), fixed=True)
+        m.point("A", (0.6 * length, -0.8 * length))
+        m.truss("rod", "O", "A")
+        m.point_mass("mass", "A", mass)
+        return m.build()
+
+    motion = pendulum(1.0).simulate(1.0, samples=3)
+    assert pendulum(1.0, mass=5.0).restore(motion)["A.x"] == motion["A.x"][-1]  # the same positions
+    for as_saved in (False, True):
+        with pytest.raises(
+            fx.ModelError, match=r"does not fit this model: the rigid 'rod\.elongation' would be -1"
+        ):
+            pendulum(2.0).restore(motion, as_saved=as_saved)

@@ -1,0 +1,65 @@
+"""Watches the gaps of contacts within steps, so that none is stepped over."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from flexel.base.arrays import Array
+from flexel.engine.near import rope_gaps
+from flexel.engine.workspace import Workspace
+
+
+class ContactWatch:
+    """Finds contacts that may have closed and opened again within a step.
+
+    The gap to a convex body is a convex function of time, but for the accelerations: its second derivative is at
+    least -c, where c is the size of the part due to accelerations, taken at the beginning of the step.  Such a gap is
+    at least as large as both tangents at the ends, steepened by c h/2.  Where these meet below zero, the contact may
+    have been stepped over.  The contacts of ropes are left out: their neighbours hold them.
+
+    Parameters
+    ----------
+    work : Workspace
+        Whose gaps and rates are those at the end of a trial step.
+    least : float
+        Depth [m] that does not matter; infinite where the steps are given.
+    """
+
+    def __init__(self, work: Workspace, least: float) -> None:
+        gaps = np.flatnonzero(np.array(work.tables.structure.kinds) == "gap")
+        self._rows = np.setdiff1d(gaps, rope_gaps(work.tables))
+        self.any = bool(self._rows.size) and bool(np.isfinite(least))
+        self._work, self._least = work, least
+        self._gap = self._rate = self._bend = self._rows.astype(float)
+
+    def note(self, a: Array) -> None:
+        """Take the point that the workspace holds, with accelerations a (n,), as the beginning of the next step."""
+        self._gap, self._rate = self._now()
+        self._bend = np.abs(self._work.push(a)[self._rows])
+
+    def skipped(self, h: float) -> bool:
+        """Whether a contact may have been stepped over in a step of length h [s]."""
+        gap, rate = self._now()
+        first, last = self._rate - self._bend * h / 2, rate + self._bend * h / 2
+        turned = (self._gap > 0) & (first < 0) & (rate > 0)
+        if not turned.any():
+            return False
+        lowest = lowest_bound((self._gap[turned], gap[turned]), (first[turned], last[turned]), h)
+        return bool(np.any(lowest < -self._least))
+
+    def _now(self) -> tuple[Array, Array]:
+        return self._work.e[self._rows], self._work.w[self._rows]
+
+
+def lowest_bound(gaps: tuple[Array, Array], rates: tuple[Array, Array], h: float) -> Array:
+    """Where the tangents at both ends of a step meet: a lower bound of convex gaps that fall first and rise then.
+
+    Parameters
+    ----------
+    gaps, rates : tuple of ndarray (n,)
+        At the beginning and at the end of the step; the rates are negative and positive [m, m/s].
+    h : float
+        Length of the step [s].
+    """
+    (g0, g1), (r0, r1) = gaps, rates
+    return np.asarray((r1 * g0 - r0 * g1 + r0 * r1 * h) / (r1 - r0))

@@ -1,0 +1,80 @@
+"""Events that come and go within one step."""
+
+import numpy as np
+import pytest
+from scipy.special import ellipk
+
+import flexel as fx
+
+METHODS = ("DOP853", "RK45", "Radau", "BDF", "LSODA", "auto")
+HEIGHT = 4.0**2 / (2 * 9.81)  # of a throw at 4 m/s [m]
+
+
+def thrown() -> fx.System:
+    """A stone thrown up at 4 m/s."""
+    m = fx.Model(gravity=(0, 0, -9.81))
+    m.point("P", (0, 0, 0))
+    m.point_mass("stone", "P", 0.5)
+    m.initial("P.z", rate=4.0)
+    return m.build()
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("above", [1e-2, 1e-6])
+def test_a_ceiling_that_is_touched_briefly_ends_the_motion(method: str, above: float) -> None:
+    """A throw passes HEIGHT - above for the first time at (v - sqrt(2 g above))/g; closed form."""
+    ceiling = fx.Event("ceiling", lambda s: s["P.z"] - (HEIGHT - above), terminal=True)
+    motion = thrown().simulate(0.9, method=method, events=[ceiling])
+    assert "ceiling" in motion.message
+    assert motion.t[-1] == pytest.approx((4.0 - np.sqrt(2 * 9.81 * above)) / 9.81, abs=1e-7)
+
+
+def swinging() -> fx.System:
+    """A pendulum of 1 m that starts at 0.5 rad from the vertical."""
+    m = fx.Model(gravity=(0, -9.81))
+    m.point("O", (0, 0), fixed=True)
+    m.point("P", (np.sin(0.5), -np.cos(0.5)))
+    m.truss("rod", "O", "P")
+    m.point_mass("bob", "P", 1.0)
+    return m.build()
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("width", [1e-2, 1e-5])
+def test_every_passage_of_a_light_gate_is_seen(method: str, width: float) -> None:
+    """A pendulum enters and leaves the gate once in each half of its period; its period is a closed form."""
+    period = 2 * np.pi / np.sqrt(9.81) * float(ellipk(np.sin(0.25) ** 2)) / (np.pi / 2)
+    gate = fx.Event("gate", lambda s: abs(s["P.x"]) - width / 2)
+    motion = swinging().simulate(8.5 * period, method=method, rtol=1e-7, events=[gate])
+    times = np.array([s.t for _, s in motion.events])
+    assert times.size == 2 * 17
+    middles = (times[::2] + times[1::2]) / 2
+    assert middles == pytest.approx((np.arange(17) + 0.5) * period / 2, abs=1e-3)
+
+
+@pytest.mark.parametrize("height", np.linspace(0.5, 2.0, 8))
+@pytest.mark.parametrize("method", ["generalized-alpha", "DOP853", "auto"])
+def test_no_ball_falls_through_a_thin_bar(method: str, height: float) -> None:
+    """A ball on a vertical guide is thrown back by a bar of 10 mm; a contact cannot be passed."""
+    m = fx.Model(gravity=(0, -9.81))
+    m.point("axle", (0, 0), fixed=True)
+    m.angle("R", fixed=True)
+    m.sheave("bar", "axle", "R", radius=0.005)
+    m.point("ball", (1e-4, height))
+    m.fix("ball.x")
+    m.point_mass("mass", "ball", 1.0)
+    m.contact("touch", "ball", "bar", fx.Contact(1e9, per="point"), radius=0.005)
+    motion = m.build().simulate(1.0, samples=11, method=method)
+    assert motion["ball.y"].min() > 0
+    assert motion.rate("ball.y").max() > 1.0  # it has been thrown back
+
+
+@pytest.mark.parametrize("method", ["DOP853", "Radau", "generalized-alpha", "auto"])
+def test_a_short_pulse_gives_its_whole_momentum(method: str) -> None:
+    """A mass at rest takes up the integral of the force over time, 1 N s; closed form."""
+    m = fx.Model(gravity=(0, 0))
+    m.point("P", (0, 0))
+    m.point_mass("mass", "P", 2.0)
+    m.load("P.x", lambda t: np.where((t > 7.0) & (t < 7.01), 100.0, 0.0))
+    motion = m.build().simulate(10.0, samples=3, method=method)
+    assert motion.rate("P.x")[-1] == pytest.approx(0.5, rel=1e-4)
