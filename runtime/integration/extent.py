@@ -22,8 +22,8 @@ def extent(saddle: Saddle, start: State, duration: float) -> float:
 
     One step of the implicit Euler method from the start, linearized, goes as far as a vibration whose period is
     longer than the step, or else to its static deflection. The largest of steps of many lengths is taken, and of
-    steps over the whole duration with the loads and prescribed motions of later instants; functions of the user are
-    not called before their time.
+    steps over the whole duration with the loads and prescribed motions of later instants; loads that are functions of
+    the user are not called before their time.
 
     Parameters
     ----------
@@ -41,8 +41,8 @@ def extent(saddle: Saddle, start: State, duration: float) -> float:
         return 0.0
     pattern = SaddlePattern(saddle.work, saddle.force_rows, saddle.force_rows)
     found = [_displacement(saddle, pattern, start, part * duration, start.t) for part in PARTS]
-    driven = saddle.system.kinematics.time_functions
-    if driven and not any(map(calls_user, driven)):
+    kinematics = saddle.system.kinematics
+    if kinematics.time_functions and not any(map(calls_user, kinematics.loads.functions)):
         found += [_later(saddle, pattern, start, duration, start.t + at * duration) for at in LOOKS]
     return min(max(found), 1.0)
 
