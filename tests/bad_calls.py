@@ -18,7 +18,8 @@ import flexel as fx
 
 VALID = VALUES | MODELS | JOINTS | SYSTEMS | RESULTS | FLEXURES
 OWN_WARNINGS = (
-    fx.AssemblyWarning, fx.CoordinateWarning, fx.IncompleteWarning, fx.ModelWarning, fx.RangeWarning,
+    fx.AssemblyWarning, fx.CoordinateWarning, fx.DampingWarning, fx.IncompleteWarning, fx.ModelWarning,
+    fx.RangeWarning,
     fx.StiffWarning, fx.UnstableWarning, fx.UnsteadyWarning,
 )  # fmt: skip
 # Classes whose objects flexel makes: their constructors are not for users.

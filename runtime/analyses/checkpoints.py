@@ -181,6 +181,7 @@ def _attached(system: Core, record: Record) -> Integration:
         motion.message,
         motion.ledger,
         motion.rechoices,
+        list(motion.warnings),
     )
 
 
@@ -203,6 +204,7 @@ def _joined(first: Integration, second: Integration, times: Array) -> Integratio
         message=f"{second.message}; continued from a checkpoint at t = {at[-1]:g} s",
         ledger=_joined_ledger(first.ledger, second.ledger, kept),
         rechoices=first.rechoices + second.rechoices,
+        warnings=list(dict.fromkeys(first.warnings + second.warnings)),
     )
 
 

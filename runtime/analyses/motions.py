@@ -85,13 +85,15 @@ class Motions(Core):
             start exceeds a thousandth of the motion or that are unstable, of rotations, and knots of tables).  With
             events always DOP853.  ``motion.message`` reports which and why.
         rtol : float, optional
-            Local error in one step: explicit, relative to each variable (Radau: to its largest value so far), 1e-9
-            by default; generalized-alpha, of the coordinates in their natural scales, 1e-6; sundials, relative to
-            each coordinate and rate, 1e-6.
+            Local error in one step: explicit, relative to each variable (Radau: to its largest value so far), 1e-9 by
+            default; generalized-alpha, of the coordinates relative to the largest range of a coordinate in this motion
+            so far, in natural scales and at most 1, and of internal states relative to their ranges, 1e-6; sundials,
+            relative to each coordinate and rate, 1e-6.
         atol : float or array_like, optional
             Absolute local error in natural scales (the size of the model for lengths, one for the rest, the same in a
             second for rates): explicit, 1e-11 by default, or one for each of (q, q_d', z) if these stay the same
-            (rechoose=False); generalized-alpha, added to `rtol`, zero by default; sundials, that of `rtol` by default.
+            (rechoose=False); generalized-alpha, allowed of coordinates whatever `rtol`, zero by default; sundials, that
+            of `rtol` by default.
         step : float, optional
             For generalized-alpha: constant step [s] instead of step control by the tolerances.
         first_step, max_step : float
@@ -137,6 +139,9 @@ class Motions(Core):
         -----
         StiffWarning
             If an explicit method turns out to need many thousands of steps because the system is stiff.
+        DampingWarning
+            If an implicit method has taken out more than 1 % of the energy of the motion: the larger of its kinetic
+            energy and what was dissipated and supplied. ``motion.warnings`` and ``motion.message`` keep it.
         RangeWarning
             If a quantity is outside the data of its law at a stored time, or a beam is bent or twisted by more than
             15° within one element, by name.
@@ -260,8 +265,8 @@ def _each(*calls: Callable[[Run], None] | None) -> Callable[[Run], None] | None:
 
 
 def _explained(found: Integration, *why: str) -> Integration:
-    """The result, with a message that reports how the method was chosen and what was found about it."""
-    reasons = "; ".join(z for z in why if z)
+    """The result, with a message that reports how the method was chosen and what was found about it and the motion."""
+    reasons = "; ".join(text for text in (*why, *found.warnings) if text)
     return replace(found, message=f"{found.message} ({reasons})") if reasons else found
 
 

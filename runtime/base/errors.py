@@ -12,6 +12,7 @@ __all__ = [
     "CompilerError",
     "ConstraintError",
     "CoordinateWarning",
+    "DampingWarning",
     "DynamicsError",
     "ElementError",
     "FlexelError",
@@ -45,6 +46,10 @@ class DynamicsError(FlexelError, RuntimeError):
 
 class CoordinateWarning(UserWarning):
     """The degrees of freedom are nearly singular at a state: the message names them, and those used in their place."""
+
+
+class DampingWarning(UserWarning):
+    """A motion is less accurate than it seems: the message names the method, what was lost, and the remedy."""
 
 
 class IncompleteWarning(UserWarning):

@@ -15,8 +15,10 @@ enum {
     PATIENCE = 8,    /* iterations within which the error must drop to a tenth */
     SHORTENINGS = 6, /* of a step of Newton's method, each to 40 % */
 };
-/* relative errors: accepted at once, and accepted when rounding stalls progress */
-static const double CONVERGED = 1e-11, STALLED = 1e-8;
+/* Relative errors: accepted at once, accepted when rounding stalls progress, and accepted of a prediction. The unbalance
+ * of predictions has the same sign over many steps, and is not small beside the forces of a small vibration: it would
+ * drive the motion. */
+static const double CONVERGED = 1e-11, STALLED = 1e-8, PREDICTED = 1e-16;
 static const double ROUGH = 0.1; /* relative error of a prediction beyond which another is tried */
 static const double SLOW = 0.2;  /* a contraction weaker than this renews the matrix */
 
@@ -219,20 +221,14 @@ static void finish(flexel_step *s)
         s->now.zd[i] = w->zd[i];
         s->now.zw[i] = ((1 - s->alpha_f) * w->zd[i] + s->alpha_f * p->zd[i] - s->lag_m * p->zw[i]) / (1 - s->lag_m);
     }
-    const double factor = fabs(s->beta - 1.0 / 6) * s->h * s->h;
-    s->local_error = s->local_size = 0;
-    for (size_t i = 0; i < w->nf; i++) {
-        const double error = factor * fabs(s->now.w[i] - p->w[i]);
-        s->local_size = flexel_larger(s->local_size, error);
-        s->local_error = flexel_larger(s->local_error, error / s->x_scale[i]);
-    }
+    flexel_local_errors(s);
 }
 
 /* Iterations until the step is found or given up, or something has to be done that is not done here. */
 static int iterate(flexel_step *s)
 {
     for (;; s->iteration++) {
-        if (s->error < CONVERGED || (s->error < STALLED && s->error > 0.5 * s->last)) {
+        if (s->error < (s->iteration ? CONVERGED : PREDICTED) || (s->error < STALLED && s->error > 0.5 * s->last)) {
             finish(s);
             return FLEXEL_FOUND;
         }
@@ -299,6 +295,7 @@ void flexel_step_accept(flexel_step *s)
     const flexel_work *w = s->balance->work;
     flexel_point *to = &s->old;
     const flexel_point *from = &s->now;
+    flexel_ranges_accept(s);
     copy(to->x, from->x, w->n);
     copy(to->v, from->v, w->n);
     copy(to->a, from->a, w->n);

@@ -17,6 +17,16 @@ typedef struct {
  * a law without a slope. */
 enum { FLEXEL_FOUND, FLEXEL_NOT_FOUND, FLEXEL_FACTORIZE, FLEXEL_SOLVE, FLEXEL_NO_SLOPE };
 
+/* Least and largest values of free coordinates (nf) and internal states (nz) at the accepted points of a motion; the group
+ * of each internal state, and work space for the ranges of the groups; rates of these states at the start of the step before,
+ * and its length (0: none); least range of a coordinate, over its natural scale. */
+typedef struct {
+    double *x_low, *x_high, *z_low, *z_high, *group_range, *zd_before;
+    const int *group;
+    size_t groups;
+    double h_before, least;
+} flexel_ranges;
+
 /* Newton's method for one step of length h from `old` to `now`, whose trial point is in the workspace. */
 typedef struct {
     flexel_balance *balance;
@@ -38,8 +48,10 @@ typedef struct {
     size_t iteration;
     double error, last, first;
     size_t evaluations, iterations, factorizations;
-    /* local error of the coordinates, in natural scales, and as it is */
-    double local_error, local_size;
+    /* local error of the coordinates and of the internal states, over their ranges in this motion; that of the
+     * coordinates as it is */
+    double local_error, state_error, local_size;
+    flexel_ranges ranges;
 } flexel_step;
 
 /* Take a step; the balance has the loads and conditions at its end. */
@@ -49,5 +61,9 @@ int flexel_step_resume(flexel_step *s);
 /* Let the end of the step be the start of the next one. */
 void flexel_step_accept(flexel_step *s);
 /* cdef: end */
+
+/* Local errors of the step that was found; let its end widen the ranges of the motion, before it becomes `old`. */
+void flexel_local_errors(flexel_step *s);
+void flexel_ranges_accept(flexel_step *s);
 
 #endif

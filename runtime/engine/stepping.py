@@ -11,6 +11,7 @@ from flexel.engine.balancing import Balancing
 from flexel.engine.elimination import Eliminated, Elimination, LargeFactors
 from flexel.engine.structs import Struct
 from flexel.generated._kernels import ffi, lib
+from flexel.structure.structure import Structure
 
 
 class Stepping(Struct):
@@ -47,6 +48,28 @@ class Stepping(Struct):
         for point, vectors in ((c.old, self.old), (c.now, self.now)):
             for name, array in vectors.items():
                 setattr(point, name, self.pointer(array))
+        self._ranges(s)
+
+    def _ranges(self, structure: Structure) -> None:
+        """Ranges of coordinates and internal states, which are empty; states of the same law share a group."""
+        kinds = [(law.spec.name, i) for law in structure.laws for i in range(len(law.states))]
+        numbers = {kind: i for i, kind in enumerate(dict.fromkeys(kinds))}
+        found, nf, nz = self.struct.ranges, structure.nf, structure.nz
+        found.group = self.integers(np.array([numbers[kind] for kind in kinds], dtype=np.int32))
+        found.groups = len(numbers)
+        self._wide = {"x_low": np.full(nf, np.inf), "z_low": np.full(nz, np.inf)}
+        self._wide |= {"x_high": np.full(nf, -np.inf), "z_high": np.full(nz, -np.inf)}
+        for name, array in self._wide.items():
+            setattr(found, name, self.pointer(array))
+        found.group_range, found.zd_before = self.pointer(np.zeros(len(numbers))), self.pointer(np.zeros(nz))
+
+    def begin(self) -> None:
+        """Take the point `old` into the ranges of the motion; there is no step before it."""
+        for kind in "xz":
+            low, high = self._wide[f"{kind}_low"], self._wide[f"{kind}_high"]
+            np.minimum(low, self.old[kind][: low.size], out=low)
+            np.maximum(high, self.old[kind][: high.size], out=high)
+        self.struct.ranges.h_before = 0.0
 
     def use(self, elimination: Elimination, source: Index) -> None:
         """Factorize with this pattern from now on, whose entries are at those places of the workspace's values."""

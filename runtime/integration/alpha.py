@@ -17,6 +17,7 @@ from flexel.base.errors import ModelError
 from flexel.engine.near import ALARM, NearContacts
 from flexel.engine.stepping import Stepping
 from flexel.engine.workspace import Workspace
+from flexel.integration.extent import extent
 from flexel.integration.scheme import Scheme
 from flexel.mechanics.balance import TINY_FORCE, Balance, Saddle
 from flexel.mechanics.core import Core
@@ -25,6 +26,7 @@ from flexel.mechanics.saddle import SaddlePattern
 from flexel.structure.state import State
 
 FORCES = 1e-2  # weight of the forces' relative residual against the violation of conditions
+ROUNDING = 1e-13  # local error, in natural scales, below which coordinates are noise
 LOOSE = 1e-4  # local error beyond which the forces are weighted less, down to a tenth: such steps are coarse anyway
 
 
@@ -59,6 +61,20 @@ class Stepper(Saddle):
         self._chosen = not self._near.worthwhile
         self.begin(start)
 
+    def expect(self, start: State, duration: float, tolerance: float, absolute: float) -> None:
+        """Scale the tolerance by how far a motion may go, at least; it stays above `absolute`, and above noise.
+
+        Parameters
+        ----------
+        start : State
+        duration : float
+            [s]
+        tolerance, absolute : float
+            Over the size of the motion, and in natural scales.
+        """
+        least = max(ROUNDING, absolute) / max(tolerance, ROUNDING)
+        self.numbers.ranges.least = max(least, extent(self, start, duration))
+
     def begin(self, start: State) -> None:
         """Continue from a state, with its accelerations."""
         self.t = start.t
@@ -66,6 +82,7 @@ class Stepper(Saddle):
         for name in ("x", "v", "a", "e", "z", "zd"):
             old[name][:] = getattr(start, name)
         old["w"][:], old["zw"][:], old["mu"][:] = start.a, start.zd, self.multipliers(start)
+        self.stepping.begin()
 
     def step(self, h: float) -> bool:
         """Try a step by Newton's method; whether it was found."""

@@ -13,7 +13,7 @@ import numpy as np
 
 from flexel.base.arguments import flag
 from flexel.base.arrays import Array
-from flexel.base.errors import FlexelError
+from flexel.base.errors import DampingWarning, FlexelError
 from flexel.base.progress import progress_bar
 from flexel.base.time_functions import calls_user
 from flexel.integration.events import Event, passages, value
@@ -174,6 +174,9 @@ class Run(ABC):
                     each(self)
         finally:
             bar.close()
+        against = self.judge()
+        if against:
+            self.warn(against)
         return self.kept(message or "reached the end")
 
     def interrupted(self) -> Integration:
@@ -185,6 +188,14 @@ class Run(ABC):
         """The results so far, up to the last step or the event that ended it."""
         self.keep()
         return replace(self.result, message=message, statistics=self.statistics)
+
+    def warn(self, text: str, category: type[Warning] = DampingWarning) -> None:
+        """Note what is known against the motion, and issue it once as a Python warning; see `Motion.warnings`."""
+        self.result.warn(text, category)
+
+    def judge(self) -> str | None:
+        """What its method knows against the motion, which has ended; nothing for most."""
+        return None
 
     @property
     @abstractmethod

@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.engine.energies import Energies
 from flexel.mechanics.balance import Saddle
+
+ROUNDING = 1e-9  # over the stored energies: less that is missing is rounding, and what iterations leave
 
 
 class Ledger:
@@ -18,6 +22,12 @@ class Ledger:
     ----------
     kept : dict of str to list of float
         At the stored times: "contact" (stored in contacts), "dissipated" and "work" (since the start) [J].
+    missing : float
+        Energy [J] that the method has taken out since the start, at the last step; negative: that it has added.
+    unsure : float
+        How much of it [J] may be an error of the trapezoidal rule, whose errors in the steps have independent signs.
+    steps : int
+        That were added.
     """
 
     def __init__(self, saddle: Saddle) -> None:
@@ -31,6 +41,10 @@ class Ledger:
             0.0  # powers at the last step, and their sums
         )
         self._next = (0.0, 0.0, 0.0, 0.0)
+        self._kinetic = self._through = self._size = 0.0
+        self._slope = 0.0  # of the power in the step before; none in the first
+        self.missing = self.unsure = 0.0
+        self.steps = 0
         self.kept: dict[str, list[float]] = {"contact": [], "dissipated": [], "work": []}
 
     def begin(self) -> None:
@@ -56,9 +70,17 @@ class Ledger:
     def add(self, h: float) -> None:
         """Add the step of length h that was examined."""
         _, _, losses, drives = self._next
-        self._dissipated += h / 2 * (self._losses + losses)
-        self._work += h / 2 * (self._drives + drives)
+        lost, work = h / 2 * (self._losses + losses), h / 2 * (self._drives + drives)
+        self._dissipated += lost
+        self._work += work
+        self._through += abs(lost) + abs(work)
+        change = drives - self._drives - losses + self._losses
+        self.unsure = math.hypot(self.unsure, h / 2 * min(abs(change), abs(change - self._slope * h)))
+        self._slope = change / h
+        before = self._own + self._potential
         self._enter()
+        self.steps += 1
+        self.missing += before + work - lost - self._own - self._potential
 
     def renew(self) -> None:
         """Continue from the balance that the workspace holds, where forces have jumped."""
@@ -70,6 +92,17 @@ class Ledger:
         before = self._own
         self.renew()
         self._work += self._own - before
+
+    @property
+    def share(self) -> float:
+        """The missing energy over the largest kinetic energy, or what was dissipated and supplied if that is more.
+
+        Zero where it may be due to rounding or to the trapezoidal rule. Energy that seems to be added may be losses
+        that the rule overestimates, as those of a contact's first step, at most by all of them.
+        """
+        moved = max(self._kinetic, self._through)
+        doubt = ROUNDING * self._size + (2 * self.unsure if self.missing > 0 else self._through)
+        return self.missing / moved if abs(self.missing) > doubt and moved else 0.0
 
     def keep(self) -> None:
         """Store the current values."""
@@ -100,6 +133,8 @@ class Ledger:
     def _enter(self) -> None:
         self._own, self._potential, self._losses, self._drives = self._next
         self._largest = max(self._largest, self._own)
+        self._kinetic = max(self._kinetic, float(self._values.kinetic))
+        self._size = max(self._size, abs(self._own) + abs(self._potential))
         self._stored = float(self._values.contact)
         self._found.note()
 

@@ -217,16 +217,14 @@ def _in_own_roles(system: Core, start: State) -> State:
 
 
 def _alpha(system: Core, start: State, times: Array, duration: float, options: Options) -> Run:
-    """A run of the generalized-alpha method, which scales every coordinate by its natural scale."""
+    """A run of the generalized-alpha method."""
     if options.step is not None:
         step = options.number("step", 0.0)
         control = Control(np.inf, step, step)
     else:
-        tolerance = options.number("rtol", IMPLICIT_RTOL)
-        if options.atol is not None:
-            tolerance += options.number("atol", 0.0)
-        longest = options.number("max_step", np.inf)
-        control = Control(tolerance, options.first or duration / 1000, longest)
+        tolerance, longest = options.number("rtol", IMPLICIT_RTOL), options.number("max_step", np.inf)
+        absolute = 0.0 if options.atol is None else options.number("atol", 0.0)
+        control = Control(tolerance, options.first or duration / 1000, longest, absolute)
     radius = RADIUS if options.spectral_radius is None else options.spectral_radius
     return GeneralizedAlpha(system, start, times, radius, options.newton or NEWTON, control)
 

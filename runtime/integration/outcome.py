@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, SupportsIndex, overload
@@ -10,6 +11,7 @@ import numpy as np
 
 from flexel.base.arguments import array, number, whole
 from flexel.base.arrays import Array
+from flexel.base.callers import outside
 from flexel.base.errors import ModelError
 from flexel.mechanics import dynamics
 from flexel.mechanics.kinematics import Kinematics
@@ -168,6 +170,8 @@ class Integration:
         Changes of the degrees of freedom: times [s], old and new names.
     ledger : dict of str to list of float, optional
         The energy ledger of an implicit integration at the stored times.
+    warnings : list of str
+        What its method knows against the motion; each was issued as a Python warning.
     """
 
     states: States
@@ -177,6 +181,7 @@ class Integration:
     message: str
     ledger: dict[str, list[float]] | None = None
     rechoices: list[tuple[float, tuple[str, ...], tuple[str, ...]]] = field(default_factory=list)
+    warnings: list[str] = field(default_factory=list)
 
     @classmethod
     def of_equilibria(cls, states: Sequence[State], message: str) -> Integration:
@@ -194,7 +199,14 @@ class Integration:
             segments=list(self.segments),
             ledger=ledger,
             rechoices=list(self.rechoices),
+            warnings=list(self.warnings),
         )
+
+    def warn(self, text: str, category: type[Warning]) -> None:
+        """Note what is known against the motion, and issue it once as a Python warning."""
+        if text not in self.warnings:
+            self.warnings.append(text)
+            warnings.warn(f"simulate: {text}", category, stacklevel=outside())
 
     def since(self, t: float) -> Integration:
         """The same without the states before a time, such as a start that is not to be stored.
@@ -215,7 +227,7 @@ class Integration:
         """The last state alone; the ledger, which continues, keeps its last values."""
         for column in (self.ledger or {}).values():
             del column[:-1]
-        return Integration(self.states.last(), [], [], {}, "", self.ledger)
+        return Integration(self.states.last(), [], [], {}, "", self.ledger, warnings=self.warnings)
 
     def cut(self, size: int) -> None:
         """Keep the first `size` stored states, and the ledger at these."""

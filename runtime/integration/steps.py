@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from abc import abstractmethod
 from dataclasses import dataclass, replace
+from typing import ClassVar
 
 import numpy as np
 
@@ -23,6 +24,7 @@ from flexel.structure.moment import Moment
 from flexel.structure.state import State
 
 SHORTEST = 1e-10  # shortest step, over the duration
+LOST = 0.01  # of the energy of a motion that its method may take out or add without a warning
 DEEP = 0.1  # local error over a new contact's penetration above which the step is halved
 STEADY = 1.3  # growth factor below which the step is kept: every change disturbs the multipliers
 MOST_FALSE, MOST_HALVINGS = 8, 4  # step halvings because of spurious energy, and because of new contacts
@@ -35,14 +37,18 @@ class Control:
     Attributes
     ----------
     tolerance : float
-        Local error of the coordinates in their natural scales; infinite for steps of constant length.
+        Local error of coordinates and internal states over the size of the motion; infinite for steps of constant
+        length.
     first, longest : float
         Steps [s].
+    absolute : float
+        Local error of the coordinates in their natural scales that is always allowed.
     """
 
     tolerance: float
     first: float
     longest: float
+    absolute: float = 0.0
 
 
 class ImplicitRun(Run):
@@ -62,6 +68,8 @@ class ImplicitRun(Run):
         self.ledger = Ledger(saddle)
         self.result = replace(self.result, ledger=self.ledger.kept)
         self.shortest = SHORTEST * float(times[-1] - times[0])
+
+    method: ClassVar[str]
 
     @abstractmethod
     def balance(self) -> Balance:
@@ -90,6 +98,18 @@ class ImplicitRun(Run):
             self.result.states.append(self.saddle.state(self.balance()))
             self.ledger.keep()
 
+    def judge(self) -> str | None:
+        """Whether the method has taken out, or added, more than a small part of the energy of the motion."""
+        ledger = self.ledger
+        if abs(ledger.share) <= LOST or not ledger.steps:
+            return None
+        step = (self.t - float(self.times[0])) / ledger.steps
+        did = "taken out" if ledger.missing > 0 else "added"
+        return (
+            f"{self.method} has {did} {abs(ledger.missing):.2g} J, {abs(ledger.share):.0%} of the energy of the motion "
+            f"(mean step {step:.2g} s); give a smaller rtol or step, or method='DOP853'"
+        )
+
     def failure(self) -> DynamicsError:
         """The error of a step that cannot be taken."""
         return DynamicsError(
@@ -102,15 +122,22 @@ class ImplicitRun(Run):
 class GeneralizedAlpha(ImplicitRun):
     """One run of the generalized-alpha method."""
 
+    method = "generalized-alpha"
+
     def __init__(
         self, system: Core, start: State, times: Array, radius: float, newton: str, control: Control
     ) -> None:
         self.stepper = Stepper(system, start, radius, newton, control.tolerance)
         super().__init__(self.stepper, start, times)
         self.control = control
-        self._watch = ContactWatch(self.stepper.work, control.tolerance * self.stepper.length)
+        if math.isfinite(control.tolerance):
+            self.stepper.expect(start, float(times[-1] - times[0]), control.tolerance, control.absolute)
+        self._watch = ContactWatch(
+            self.stepper.work, (control.tolerance + control.absolute) * self.stepper.length
+        )
         self._steps = self._rejected = self._at_contact = self._halvings = self._false = 0
         self._wish = min(control.first, control.longest)
+        self._refused = (0.0, 0.0)  # length and error of a trial that was refused for its internal states
 
     @property
     def t(self) -> float:
@@ -186,6 +213,7 @@ class GeneralizedAlpha(ImplicitRun):
             if step < self.shortest:
                 raise self.failure()
         self._steps += 1
+        self._refused = (0.0, 0.0)
         growth = min(2.0, 0.9 * max(error, 1e-6) ** (-1 / 3))
         allowed = step * (1.0 if 1.0 < growth < STEADY else growth)
         self._wish = max(allowed, self._wish) if step == asked else allowed
@@ -219,4 +247,19 @@ class GeneralizedAlpha(ImplicitRun):
                 self._halvings += 1
                 self._at_contact += 1
                 return math.inf
-        return float(stepper.numbers.local_error) / self.control.tolerance
+        coordinates = float(stepper.numbers.local_error) / self.control.tolerance
+        return max(coordinates, self._error_of_states(h)) if coordinates <= 1.0 else coordinates
+
+    def _error_of_states(self, h: float) -> float:
+        """The same of the internal states; a rate that jumps in the step, as of a bristle that begins to slide, passes.
+
+        The error of a smooth rate falls with the third power of the step, and with the second in the first step of a
+        motion, that of a jump with the first. Shorter steps would not find the jump.
+        """
+        error = float(self.stepper.numbers.state_error) / self.control.tolerance
+        if error <= 1.0:
+            return error
+        before, larger = self._refused
+        jump = h < before and error > larger * (h / before) ** 1.5
+        self._refused = (h, error)
+        return 1.0 if jump else error

@@ -141,6 +141,8 @@ class DifferentialAlgebraic(Saddle):
 class Sundials(ImplicitRun):
     """One run of IDA."""
 
+    method = "sundials"
+
     def __init__(
         self,
         system: Core,

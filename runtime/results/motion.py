@@ -40,7 +40,9 @@ class Motion(DrawnMotion, Sequence[State]):
     statistics : dict of str to int
         Steps, evaluations of the equations of motion, changes of coordinates.
     message : str
-        How the integration ended.
+        How the integration ended, why its method was chosen, and the warnings.
+    warnings : tuple of str
+        What the method knows against the motion; each was also issued as a Python warning when it was computed.
     rechoices : list of (float, tuple of str, tuple of str)
         Changes of the degrees of freedom within an explicit integration: times [s], old and new names.
     ledger : dict of str to list of float, optional
@@ -57,6 +59,7 @@ class Motion(DrawnMotion, Sequence[State]):
         self.message = integration.message
         self.ledger = integration.ledger
         self.rechoices = integration.rechoices
+        self.warnings = tuple(integration.warnings)
         self.t: Array = np.array(integration.states.times)
         self._given = given_in(self._segments, self.t)
 

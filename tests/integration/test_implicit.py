@@ -8,6 +8,10 @@ from flexel.examples.bicycle import bicycle, rolling
 from flexel.integration.scheme import Scheme
 from flexel.integration.steps import GeneralizedAlpha
 
+LONG = pytest.mark.filterwarnings(
+    "ignore:simulate. generalized-alpha:flexel.DampingWarning"
+)  # long steps, on purpose
+
 
 def pendulum() -> fx.System:
     """A bar of 1 m and 2 kg on a hinge, released from the horizontal."""
@@ -50,6 +54,7 @@ def fixed_steps(system: fx.System, duration: float, h: float, radius: float = 0.
     )
 
 
+@LONG
 @pytest.mark.parametrize("radius", [0.0, 0.5, 0.9])
 def test_coordinates_rates_and_multipliers_converge_with_the_second_order(radius: float) -> None:
     system = pendulum()
@@ -92,6 +97,7 @@ def test_rolling_wheels_keep_their_conditions_on_the_rates() -> None:
     assert np.max(np.abs(slips)) < 1e-8
 
 
+@LONG
 @pytest.mark.parametrize("radius", [0.0, 0.6, 0.75, 0.9])
 def test_high_frequencies_die_out_with_the_given_spectral_radius(radius: float) -> None:
     h = 1.0
@@ -106,6 +112,7 @@ def test_high_frequencies_die_out_with_the_given_spectral_radius(radius: float) 
         assert (late / early) ** 0.1 == pytest.approx(radius, rel=0.08)
 
 
+@LONG
 def test_low_frequencies_keep_their_energy() -> None:
     system = oscillator(1.0, 0.5)
     motion = fixed_steps(system, 20 * np.pi, 2 * np.pi / 100, 0.9)

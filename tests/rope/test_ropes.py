@@ -107,7 +107,7 @@ def test_bristles_hold_a_rope_that_is_pulled_less_than_the_capstan_allows() -> N
     m.load(A, (0, -T))
     m.load(B, (0, -1.2 * T))
     motion = m.build().simulate(
-        0.6, method="generalized-alpha", samples=7, rtol=1e-4, spectral_radius=0.0, progress=False
+        0.6, method="generalized-alpha", samples=7, rtol=1e-2, atol=1e-4, spectral_radius=0.0, progress=False
     )
     assert motion["A.y"][-1] == pytest.approx(motion["A.y"][-3], abs=1e-6)
     assert abs(motion["A.y"][-1] + 0.2) < 1e-3

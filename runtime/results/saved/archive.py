@@ -89,6 +89,7 @@ def record_of(motion: Motion) -> Record:
         "statistics": motion.statistics,
         "message": motion.message,
         "rechoices": motion.rechoices,
+        "warnings": motion.warnings,
     }
     return Record("motion", variables, labels, units, header)
 
@@ -164,8 +165,9 @@ def motion_of(record: Record) -> Motion:
         ledger = {name: z.tolist() for name, z in zip(record.labels["ledger_kind"], columns, strict=True)}
     header = record.header
     changes = [(float(t), tuple(old), tuple(new)) for t, old, new in header.get("rechoices", ())]
+    said = [str(text) for text in header.get("warnings", ())]
     found = Integration(
-        States(states), events, [], dict(header["statistics"]), str(header["message"]), ledger, changes
+        States(states), events, [], dict(header["statistics"]), str(header["message"]), ledger, changes, said
     )
     return Motion(None, found)
 

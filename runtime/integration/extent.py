@@ -1,0 +1,71 @@
+"""How far a motion may go, estimated before it begins: the scale of its tolerances until it has a range of its own."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from flexel.base.arrays import Array
+from flexel.base.errors import ModelError
+from flexel.base.time_functions import calls_user
+from flexel.mechanics.balance import Saddle
+from flexel.mechanics.saddle import SaddlePattern
+from flexel.structure.state import State
+
+PARTS = 10.0 ** -np.arange(7)  # of the duration, over which steps are tried
+LOOKS = np.linspace(
+    0.125, 1.0, 8
+)  # instants, over the duration, at which loads and prescribed motions are seen
+
+
+def extent(saddle: Saddle, start: State, duration: float) -> float:
+    """Largest displacement to expect, in natural scales, at most 1.
+
+    One step of the implicit Euler method from the start, linearized, goes as far as a vibration whose period is
+    longer than the step, or else to its static deflection. The largest of steps of many lengths is taken, and of
+    steps over the whole duration with the loads and prescribed motions of later instants; loads that are functions of
+    the user are not called before their time.
+
+    Parameters
+    ----------
+    saddle : Saddle
+    start : State
+    duration : float
+        [s]
+
+    Returns
+    -------
+    float
+        Zero where nothing moves the model, or where it has no tangent at its start.
+    """
+    if not saddle.structure.nf:
+        return 0.0
+    pattern = SaddlePattern(saddle.work, saddle.force_rows, saddle.force_rows)
+    found = [_displacement(saddle, pattern, start, part * duration, start.t) for part in PARTS]
+    kinematics = saddle.system.kinematics
+    if kinematics.time_functions and not any(map(calls_user, kinematics.loads.functions)):
+        found += [_later(saddle, pattern, start, duration, start.t + at * duration) for at in LOOKS]
+    return min(max(found), 1.0)
+
+
+def _later(saddle: Saddle, pattern: SaddlePattern, start: State, step: float, t: float) -> float:
+    """Largest displacement in a step with the loads at a later time; zero where a table has ended before.
+
+    The motion reports that by itself if it comes so far.
+    """
+    try:
+        return _displacement(saddle, pattern, start, step, t)
+    except ModelError:
+        return 0.0
+
+
+def _displacement(saddle: Saddle, pattern: SaddlePattern, start: State, step: float, t: float) -> float:
+    """Largest displacement in a step with the loads at a time."""
+    saddle.z = start.z
+    b = saddle.balance(t, start.x, start.v, -start.v / step, saddle.multipliers(start), start.e)
+    saddle.stiffness(1 / step, 1 / step**2, share=step if saddle.structure.nz else 0.0)
+    factors = pattern.matrix(saddle.work).factors
+    if not factors.regular:
+        return 0.0
+    slips = np.zeros(saddle.force_rows.size - b.gap.size)
+    moved: Array = factors.solve(np.concatenate([b.r, b.gap, slips]))[: saddle.structure.nf]
+    return float(np.abs(moved / saddle.x_scale).max())
