@@ -82,7 +82,7 @@ class Motions(Core):
             above 300 degrees of freedom, or if the motion is stiff: the largest eigenvalue of the linearized start
             times the duration exceeds 3e4 (900 000 divided by the number of degrees of freedom where these are more
             than 30), and 100 times the radians that any method must follow (those of modes whose amplitude at the
-            start exceeds a thousandth of the motion or that are unstable, of rotations, and knots of tables).  With
+            start exceeds a twentieth of the motion or that are unstable, of rotations, and knots of tables).  With
             events always DOP853.  ``motion.message`` reports which and why.
         rtol : float, optional
             Local error in one step: explicit, relative to each variable (Radau: to its largest value so far), 1e-9 by

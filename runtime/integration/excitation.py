@@ -12,7 +12,7 @@ from flexel.mechanics.core import Core
 from flexel.mechanics.rigid import spectrum
 from flexel.structure.state import State
 
-SEEN = 1e-3  # amplitude of a mode, relative to the range of the motion, from which it is followed
+SEEN = 0.05  # amplitude of a mode, relative to the range of the motion, from which it is followed
 DECAY = 15.0  # time constants after which a damped mode has vanished
 GROWTH = 10.0  # time constants after which an unstable mode matters, whatever its amplitude at first
 
