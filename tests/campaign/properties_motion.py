@@ -105,14 +105,18 @@ def _lifts(trial: Trial, duration: float) -> bool:
 
 
 def _implicit(trial: Trial, duration: float, count: int) -> Array:
-    motion = trial.system.simulate(
-        duration,
-        start=trial.start,
-        samples=2,
-        method="generalized-alpha",
-        step=duration / count,
-        progress=False,
-    )
+    with warnings.catch_warnings():
+        warnings.simplefilter(
+            "ignore", fx.DampingWarning
+        )  # of constant steps: their error is extrapolated, and judged
+        motion = trial.system.simulate(
+            duration,
+            start=trial.start,
+            samples=2,
+            method="generalized-alpha",
+            step=duration / count,
+            progress=False,
+        )
     return trial.x(motion[-1])
 
 
