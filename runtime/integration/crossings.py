@@ -9,9 +9,7 @@ from scipy.optimize import brentq, minimize_scalar
 
 LOCATED = 1e-13  # accuracy of the time of a crossing [s]
 SAMPLES = (0.001, 0.25, 0.5, 0.75, 0.999)  # parts of a step; those near its ends show the slopes there
-FINEST = (
-    1e-9  # accuracy of the time of a minimum, relative to the step: shorter double crossings are not seen
-)
+FINEST = 1e-9  # accuracy of the time of a minimum, relative to the step: closer pairs are not seen
 
 Function = Callable[[float], float]
 
@@ -45,7 +43,7 @@ def crossings(function: Function, ends: dict[float, float], direction: int = 0) 
     _look_below(kept, [t0, *samples, t1])
     inner = [
         t for t in sorted(known) if t in ends or known[t]
-    ]  # a zero within is a crossing only if the sign changes
+    ]  # a zero within counts only if the sign changes
     found = []
     for a, b in zip(inner[:-1], inner[1:], strict=True):
         ga, gb = known[a], known[b]

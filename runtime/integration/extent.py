@@ -12,9 +12,7 @@ from flexel.mechanics.saddle import SaddlePattern
 from flexel.structure.state import State
 
 PARTS = 10.0 ** -np.arange(7)  # of the duration, over which steps are tried
-LOOKS = np.linspace(
-    0.125, 1.0, 8
-)  # instants, over the duration, at which loads and prescribed motions are seen
+LOOKS = np.linspace(0.125, 1.0, 8)  # instants, over the duration, at which loads and motions are seen
 
 
 def extent(saddle: Saddle, start: State, duration: float) -> float:

@@ -73,7 +73,7 @@ METHODS: dict[str, tuple[float, int, float]] = {
     "DOP853": (1e-9, 2, 5e-10),
     "RK45": (1e-6, 9, 3e-7),
     "LSODA": (1e-9, 60, 5e-9),
-    "Radau": (1e-9, 9, 2e-9),
+    "Radau": (1e-8, 9, 2e-9),
     "BDF": (1e-7, 70, 5e-7),
     "generalized-alpha": (1e-6, 50, 1e-5),
     "sundials": (1e-7, 150, 5e-5),
