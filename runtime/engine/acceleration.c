@@ -250,7 +250,7 @@ void flexel_multipliers(flexel_work *s, flexel_choice *c, int driven)
         c->multiplier[c->rows[i]] = i < held || driven ? y[i] : 0;
 }
 
-int flexel_accelerations(flexel_work *s, flexel_choice *c, int driven)
+int flexel_complete(flexel_work *s, flexel_choice *c, int driven)
 {
     int failed = FLEXEL_DONE;
     c->predict = 0;
@@ -263,12 +263,7 @@ int flexel_accelerations(flexel_work *s, flexel_choice *c, int driven)
             return failed;
     }
     flexel_forces(s, c);
-    return driven ? flexel_driven(s, c) : flexel_accelerate(s, c);
-}
-
-int flexel_complete(flexel_work *s, flexel_choice *c, int driven)
-{
-    const int failed = flexel_accelerations(s, c, driven);
+    failed = driven ? flexel_driven(s, c) : flexel_accelerate(s, c);
     if (!failed)
         flexel_multipliers(s, c, driven);
     return failed;

@@ -80,3 +80,8 @@ int flexel_matrix_sign(const flexel_matrix *A)
 {
     return flexel_lu_sign(A->lu, A->a);
 }
+
+double flexel_matrix_logarithm(const flexel_matrix *A)
+{
+    return flexel_lu_logarithm(A->lu, A->a);
+}

@@ -31,6 +31,8 @@ void flexel_matrix_solve(const flexel_matrix *A, size_t count, const double *b, 
 void flexel_matrix_solve_transposed(const flexel_matrix *A, size_t count, const double *b, double *x, double *work);
 /* Sign of the determinant. */
 int flexel_matrix_sign(const flexel_matrix *A);
+/* Its size as a logarithm to base 2. */
+double flexel_matrix_logarithm(const flexel_matrix *A);
 /* cdef: end */
 
 #endif

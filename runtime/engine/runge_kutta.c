@@ -1,8 +1,6 @@
 /* Steps of DOP853 with the coordinates as a shadow; see runge_kutta.h. */
 #include "runge_kutta.h"
 
-#include "rows.h"
-
 #include <math.h>
 #include <string.h>
 
@@ -33,33 +31,14 @@ static void place(flexel_work *s, flexel_dop853 *o, double h, size_t count, cons
         s->near[s->periodic[i]] = o->e_new[i];
 }
 
-/* Rates of y at a stage where x and v are those of the shadow. */
-static int followed(flexel_work *s, flexel_choice *c, flexel_dop853 *o, size_t stage, double h, double t, const double *y)
-{
-    const size_t nd = c->nd, nq = nd + c->nk, held = c->nr + c->np;
-    double *dy = o->K + stage * o->ny;
-    s->t = t;
-    memcpy(c->qd, y + nq, nd * sizeof(double));
-    memcpy(s->z, y + nq + nd, s->nz * sizeof(double));
-    combine(s->nf, o->V, h, stage, o->A + stage * FLEXEL_STAGES, o->W, s->v);
-    const int failed = flexel_accelerations(s, c, 0);
-    for (size_t i = 0; i < nq; i++)
-        dy[i] = flexel_row_value(s, c->rows[held + i], s->v);
-    memcpy(dy + nq, c->qdd, nd * sizeof(double));
-    memcpy(dy + nq + nd, s->zd, s->nz * sizeof(double));
-    return failed;
-}
-
-static int rates(flexel_work *s, flexel_choice *c, flexel_dop853 *o, size_t stage, double h, double t, const double *y)
+static int rates(flexel_work *s, flexel_choice *c, flexel_dop853 *o, size_t stage, double t, const double *y)
 {
     const double *given = o->given + stage * o->ngiven;
-    const int inside = stage > 0 && stage < FLEXEL_STAGES;
     memcpy(c->motion, given, 3 * c->np * sizeof(double));
     memcpy(c->loads, given + 3 * c->np, c->nloads * sizeof(double));
     o->stage = stage;
     o->evaluations++;
-    const int failed = o->follow && inside ? followed(s, c, o, stage, h, t, y)
-                                           : flexel_evaluate(s, c, t, y, o->K + stage * o->ny);
+    const int failed = flexel_evaluate(s, c, t, y, o->K + stage * o->ny);
     if (failed)
         return failed;
     memcpy(o->V + stage * s->nf, s->v, s->nf * sizeof(double));
@@ -74,9 +53,11 @@ int flexel_dop853_begin(flexel_work *s, flexel_choice *c, flexel_dop853 *o, doub
     memcpy(s->x, o->x, s->n * sizeof(double));
     for (size_t i = 0; i < s->nperiodic; i++)
         s->near[s->periodic[i]] = o->e[i];
-    const int failed = rates(s, c, o, 0, 0, t, o->y);
+    const int failed = rates(s, c, o, 0, t, o->y);
     if (!failed)
         o->sign = flexel_matrix_sign(&c->P);
+    if (!failed && o->determinant)
+        o->determinant[0] = flexel_matrix_logarithm(&c->P);
     return failed;
 }
 
@@ -137,11 +118,13 @@ int flexel_dop853_step(flexel_work *s, flexel_choice *c, flexel_dop853 *o, doubl
         place(s, o, h, stage, last ? o->B : o->A + stage * FLEXEL_STAGES, last ? o->y_new : o->space);
         if (last)
             memcpy(o->x_new, s->x, s->n * sizeof(double));
-        const int failed = rates(s, c, o, stage, h, last ? t + h : t + o->C[stage] * h, last ? o->y_new : o->space);
+        const int failed = rates(s, c, o, stage, last ? t + h : t + o->C[stage] * h, last ? o->y_new : o->space);
         if (failed)
             return failed;
-        if ((last || !o->follow) && flexel_matrix_sign(&c->P) != o->sign)
-            o->changed = 1;
+        if (flexel_matrix_sign(&c->P) != o->sign)
+            o->changed |= (size_t)1 << stage;
+        if (o->determinant)
+            o->determinant[stage] = flexel_matrix_logarithm(&c->P);
     }
     combine(s->nf, o->V, h, FLEXEL_STAGES, o->B, o->W, o->space);
     o->defect = o->defect_v = 0;

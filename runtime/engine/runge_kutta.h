@@ -1,12 +1,8 @@
 /* One step of the Runge-Kutta method of Dormand and Prince of order 8 (DOP853) in minimal coordinates.
  *
  * The coordinates x, and deformations with a period, are integrated along as a shadow, x' = v: they are where the position
- * of each stage is sought. The shadow's own error, and how far the solved coordinates and rates are from it, tell whether the
- * step can be trusted to stay on its branch. Source: Hairer, Norsett and Wanner (1993); coefficients are those of SciPy.
- *
- * Where branches meet, the position matrix is singular. A solved position close by is lost to rounding, and rates and
- * accelerations even more. A step that follows all coordinates solves for nothing but accelerations before its end: x and v
- * of its stages are those of the shadow, and the constraints hold as exactly as the shadow is. */
+ * of each stage is sought. The shadow's own error, and how far the solved coordinates are from it, tell whether the step
+ * can be trusted to stay on its branch. Source: Hairer, Norsett and Wanner (1993); coefficients are those of SciPy. */
 #ifndef FLEXEL_RUNGE_KUTTA_H
 #define FLEXEL_RUNGE_KUTTA_H
 
@@ -30,13 +26,12 @@ typedef struct {
     double *K, *V, *W, *turning;
     double *space; /* max(ny, nf) */
     int sign;      /* of the determinant of the position matrix at the start */
-    int follow;    /* all coordinates are followed */
+    double *determinant; /* logarithms of its size at the stages and the end (13), or NULL if they are not asked for */
     /* found: errors of y (SciPy's norm), of x and v (natural scales), of turns (periods); largest distance of the solved
-     * coordinates and rates from their shadows, and which coordinate; largest rate; whether a solved stage or the end has the
-     * other sign; the stage that failed */
+     * coordinates and rates from their shadows, and which coordinate; largest rate; the stages with the other
+     * sign, as bits; the stage that failed */
     double error, error_x, error_v, error_turns, defect, defect_v, fastest;
-    int changed;
-    size_t farthest, stage, evaluations;
+    size_t farthest, changed, stage, evaluations;
 } flexel_dop853;
 
 /* A step of length h from time t; FLEXEL_DONE, or the code of a stage that failed. */

@@ -55,6 +55,8 @@ class Steps(Struct):
         self.W = self.new("W", 13 * nf).reshape(13, nf)
         self.turning = self.new("turning", 13 * nq).reshape(13, nq)
         self.new("space", max(y.size, nf))
+        self.determinant = np.zeros(TIMES.size)
+        self._determinant = self.pointer(self.determinant)
         motion, loads = self.choice.motion.size, self.choice.loads.size
         c.ngiven = motion + loads
         self._given = self.new("given", 13 * (motion + loads)).reshape(13, -1)
@@ -96,10 +98,13 @@ class Steps(Struct):
         self.given(t, 0.0, slice(0, 1))
         self.kinematics.check(lib.flexel_dop853_begin(*self._structs, t), t, self.choice)
 
-    def step(self, t: float, h: float, follow: bool) -> int:
-        """One step; the code of what failed, or zero.  Solved positions at its stages, or all coordinates followed."""
-        self.choice.struct.accept = 0.0 if follow else accepted_error(self.kinematics, self.struct.rtol)
-        self.struct.follow = follow
+    def step(self, t: float, h: float, careful: bool) -> int:
+        """One step; the code of what failed, or zero.  A careful step finds positions to rounding."""
+        choice = self.choice.struct
+        choice.accept = 0.0 if careful else accepted_error(self.kinematics, self.struct.rtol)
+        self.struct.determinant = self._determinant if careful else ffi.NULL
+        if careful:
+            self.begin(t)
         self.given(t, h, slice(1, 13))
         return int(lib.flexel_dop853_step(*self._structs, t, h))
 
