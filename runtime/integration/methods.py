@@ -17,6 +17,7 @@ from flexel.integration.events import Event
 from flexel.integration.explicit import METHODS, Scipy
 from flexel.integration.followed import Followed
 from flexel.integration.minimal import Tolerances
+from flexel.integration.radau import Radau
 from flexel.integration.steps import Control, GeneralizedAlpha
 from flexel.integration.stiffness import ALPHA, EXPLICIT, stiff, suitable
 from flexel.integration.sundials import Sundials
@@ -28,13 +29,13 @@ from flexel.structure.moment import Moment
 from flexel.structure.state import State, own_state
 from flexel.structure.structure import Structure
 
-AUTO, SUNDIALS = "auto", "sundials"
+AUTO, RADAU, SUNDIALS = "auto", "Radau", "sundials"
 WATCHED = (EXPLICIT, "RK45")  # methods whose steps become short where a system is stiff
 _STEPS = frozenset({"rtol", "atol", "first_step", "max_step"})
 _DENSE = _STEPS | {"events", "rechoose"}
 OPTIONS: dict[str, frozenset[str]] = {  # by method; the remaining options apply to all methods
     AUTO: _DENSE,
-    **dict.fromkeys((EXPLICIT, *METHODS), _DENSE),
+    **dict.fromkeys((EXPLICIT, RADAU, *METHODS), _DENSE),
     ALPHA: _STEPS | {"step", "spectral_radius", "newton"},
     SUNDIALS: _STEPS | {"max_order"},
 }
@@ -106,7 +107,7 @@ def start_of(system: Core, method: str, start: Any, options: Options) -> State:
     try:
         return system.initial
     except InertiaError:
-        if method in (EXPLICIT, *METHODS) or options.events:
+        if method in (EXPLICIT, RADAU, *METHODS) or options.events:
             raise
         return system.unaccelerated
 
@@ -179,8 +180,9 @@ def run_of(system: Core, method: str, start: State, times: Array, duration: floa
         return Followed(system, start, times, events)
     own = _in_own_roles(system, start)
     rechoose = options.rechoose is not False
-    if method == EXPLICIT:
-        return Dop853(system, own, times, tolerances, events, rechoose)
+    if method in (EXPLICIT, RADAU):
+        kind = Dop853 if method == EXPLICIT else Radau
+        return kind(system, own, times, tolerances, events, rechoose)
     return Scipy(system, own, times, method, tolerances, events, rechoose)
 
 
