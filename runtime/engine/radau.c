@@ -12,6 +12,7 @@ static const double SAFETY = 0.9, SMALLEST = 0.2, LARGEST = 8, KEPT = 1.2, HALF 
 static const double SLOW = 1e-3;        /* rate of convergence from which J is evaluated again */
 static const double LEAST_ERROR = 1e-2; /* of a step that the prediction of the next one uses at least */
 static const double SMALL = 1e-10;
+static const double MINOR = 1e-3; /* values of a degree of freedom, or rates, relative to the largest ones, that count as zero */
 /* Distance of the solved coordinates from the integral of their rates that is allowed: a part of the tolerance, but no less. In
  * long steps the estimate of the error of y says little about the coordinates that depend on it. */
 static const double PART = 0.2, SHADOW = 2e-4;
@@ -24,13 +25,27 @@ static double norm(const flexel_radau *o, const double *error)
     return o->ny ? sqrt(sum / (double)o->ny) : 0;
 }
 
-/* Allowed errors, for the largest values so far and y + Z. */
+/* Allowed errors of some variables, for the largest values so far and y + Z. Those that are small beside the others of their
+ * kind count as a part of these. */
+static void allow_some(flexel_radau *o, const double *Z, size_t first, size_t end, double part)
+{
+    double most = 0;
+    for (size_t i = first; i < end; i++) {
+        const double here = Z ? fabs(o->y[i] + Z[i]) : 0;
+        o->scale[i] = fmax(o->largest[i], here);
+        most = fmax(most, o->scale[i] / o->natural[i]);
+    }
+    for (size_t i = first; i < end; i++)
+        o->scale[i] = o->atol[i] + o->rtol * fmax(o->scale[i], part * most * o->natural[i]);
+}
+
+/* The same of all variables. */
 static void allow(flexel_radau *o, const double *Z)
 {
-    for (size_t i = 0; i < o->ny; i++) {
-        const double here = Z ? fabs(o->y[i] + Z[i]) : 0;
-        o->scale[i] = o->atol[i] + o->rtol * (here > o->largest[i] ? here : o->largest[i]);
-    }
+    const size_t nq = o->nd + o->nk;
+    allow_some(o, Z, 0, nq, MINOR);
+    allow_some(o, Z, nq, nq + o->nd, MINOR);
+    allow_some(o, Z, nq + o->nd, o->ny, 0);
 }
 
 /* The next position is sought from that at the start of the step. */

@@ -31,7 +31,7 @@ typedef struct {
     /* control: tolerances of the estimate of the error, and of the iteration relative to that; how much errors count more;
      * limits of the length, and of the change of an orientation, by the weights of coordinates (n) */
     double rtol, tolerance, enlarged, end, longest, shortest, travel;
-    const double *atol, *turning;
+    const double *atol, *natural, *turning; /* natural: scales of y (ny) */
     size_t ngiven;
     double *given;     /* prescribed motions and loads at the stages and at the start (4, ngiven) */
     double *J;         /* (ny, ny), by rows */

@@ -21,6 +21,7 @@ from flexel.generated._kernels import ffi, lib
 from flexel.integration.followed import TRAVEL, turning_weights
 from flexel.integration.inputs import give
 from flexel.integration.knots import Knots
+from flexel.integration.minimal import natural_scales_of_y
 from flexel.integration.radau_tableau import COLLOCATION, CORRECTION, NODES, PAIR, REAL, WEIGHTS, T
 from flexel.mechanics.kinematics import Kinematics
 from flexel.structure.moment import Moment
@@ -72,7 +73,8 @@ class Collocation(Struct):
         self._tight = TIGHT * rtol ** (4 / 5)
         c.rtol, c.tolerance = self._tight, max(ROUNDING / self._tight, min(LOOSEST, self._tight**0.5))
         self._atol = atol * (self._tight / rtol)
-        constant = METHOD | {"atol": self._atol, "turning": turning_weights(s)}
+        natural = natural_scales_of_y(kinematics)
+        constant = METHOD | {"atol": self._atol, "natural": natural, "turning": turning_weights(s)}
         for name, array in constant.items():
             setattr(c, name, self.pointer(np.ascontiguousarray(array)))
         c.travel, c.stale = TRAVEL, True
