@@ -227,7 +227,7 @@ class Motions(Core):
         check_rates(self, begin.t, begin.t + float(duration))
         if method != methods.AUTO:
             return method, "", begin, grid, options
-        chosen, why = methods.automatic(self, begin, float(duration), options)
+        chosen, why, options = methods.automatic(self, begin, float(duration), options)
         return chosen, why, begin, grid, options
 
     def _begun(self, duration: float, before: Run | None = None, **given: Any) -> tuple[Run, str]:

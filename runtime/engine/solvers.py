@@ -8,7 +8,6 @@ from __future__ import annotations
 from typing import Any, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 from scipy.linalg import get_lapack_funcs
 from scipy.sparse import csc_array, eye_array, issparse
 from scipy.sparse.linalg import splu
@@ -16,7 +15,6 @@ from scipy.sparse.linalg import splu
 from flexel.base.arrays import Array, ComplexArray
 
 _getrf: Any = get_lapack_funcs("getrf", dtype=np.float64)
-_getrf_complex: Any = get_lapack_funcs("getrf", dtype=np.complex128)
 _getrs: Any = get_lapack_funcs("getrs", dtype=np.float64)
 _gelsy: Any = get_lapack_funcs("gelsy", dtype=np.float64)
 _gesv: Any = get_lapack_funcs("gesv", dtype=np.float64)
@@ -66,19 +64,6 @@ def eigenvalues(A: Array) -> ComplexArray:
     if info:
         raise np.linalg.LinAlgError("the eigenvalues did not converge")
     return np.asarray(real + 1j * imaginary)
-
-
-def shifted_factors(A: Array, shift: complex) -> tuple[NDArray[Any], NDArray[np.int32]] | None:
-    """LU factors of `shift` 1 - A, column by column, and the row interchanges, for a shift that is real or complex.
-
-    None if the matrix is singular or not finite.
-    """
-    matrix = np.array(-A, dtype=np.result_type(shift), order="F")
-    matrix.flat[:: len(A) + 1] += shift
-    factors, pivots, info = (_getrf_complex if np.iscomplexobj(matrix) else _getrf)(matrix, overwrite_a=True)
-    if info or not np.isfinite(factors).all():
-        return None
-    return np.ascontiguousarray(factors.T), pivots.astype(np.int32)
 
 
 def least(A: Array, b: Array, rcond: float) -> Array:

@@ -1,4 +1,4 @@
-"""Forward dynamics in minimal coordinates with Radau IIA, and with SciPy's integrators RK45, LSODA and BDF.
+"""Forward dynamics in minimal coordinates with SciPy's integrators RK45, LSODA and BDF.
 
 The integrator is stepped here, so that the ends of its steps can be checked for their branch and events be located on
 the dense output.  The implicit ones have the Jacobian of the analytic linearization.
@@ -20,18 +20,15 @@ from flexel.generated._kernels import lib
 from flexel.integration.branch import REFUSED
 from flexel.integration.events import Event
 from flexel.integration.followed import longest_step, turning_weights
+from flexel.integration.jacobian import jacobian
 from flexel.integration.minimal import SHORTEST, MinimalRun, Tolerances
-from flexel.integration.radau import Radau
-from flexel.integration.radau_steps import Collocation
-from flexel.mechanics import dynamics
-from flexel.mechanics.linearize import linearize
 from flexel.mechanics.states import between, located
 from flexel.structure.moment import Moment
 from flexel.structure.state import State
 
 log = logging.getLogger("flexel.simulate")
-METHODS: dict[str, Any] = {"RK45": RK45, "Radau": Radau, "BDF": BDF, "LSODA": LSODA}
-IMPLICIT = ("Radau", "BDF", "LSODA")
+METHODS: dict[str, Any] = {"RK45": RK45, "BDF": BDF, "LSODA": LSODA}
+IMPLICIT = ("BDF", "LSODA")
 FIRST = 1e-4  # first step, relative to the time left, after an unreachable position
 TWICE = 2.0  # distance of the position from the one that the rates lead to, in expected errors
 FARTHEST = 10.0  # the same where the expected error is least
@@ -40,7 +37,7 @@ FLOOR = 1e-3  # that is always allowed, in natural scales: the rates are integra
 
 
 class Scipy(MinimalRun):
-    """One run of an integrator of SciPy, or of Radau IIA.
+    """One run of an integrator of SciPy.
 
     Parameters
     ----------
@@ -89,26 +86,8 @@ class Scipy(MinimalRun):
             options["first_step"] = min(self._first_step, options["max_step"], left)
         if self._implicit:
             options["jac"] = self._jacobian
-        if self.method is Radau:
-            options |= self._continued(y, left)
         self._solver = self._started(y, options)
         self._sign = self._sign_at(self.now)
-
-    def _continued(self, y: Array, left: float) -> dict[str, Any]:
-        """Options of Radau: the engine's part, and what is known from the solver before."""
-        before = self._solver
-        same = before is not None and before.collocation.choice is self._choice
-        found: dict[str, Any] = {
-            "collocation": before.collocation
-            if same
-            else Collocation(self.kinematics, self._choice, self.knots, y.size),
-            "shortest": SHORTEST * self._span,
-        }
-        if same:
-            found["before"] = before
-        if before is not None and not self._first_step:
-            found["first_step"] = min(before.h_abs, left)
-        return found
 
     def jump(self, z: Array) -> None:
         """Continue from here with other internal states."""
@@ -134,18 +113,14 @@ class Scipy(MinimalRun):
         return choice.dy.copy()
 
     def _jacobian(self, t: float, y: Array) -> Array:
-        """Derivatives of the rates by y = (q_d, q_k, q_d', z), from the linearization there."""
-        roles, nd = self.kinematics.roles, self.kinematics.roles.nd
-        q, qd, z = np.split(y, [roles.nq, roles.nq + nd])
+        """Derivatives of the rates by y."""
+        roles = self.kinematics.roles
+        q, qd, z = np.split(y, [roles.nq, roles.nq + roles.nd])
         choice = self._choice
         near = choice.last or self.now
         x, v, e = located(self.kinematics, t, q, qd, near)
         choice.warm(Moment(t, x, v, e, near.ed))
-        A = linearize(self.kinematics, dynamics.complete(self.kinematics, t, x, v, e, z)).state_matrix
-        order = np.concatenate(
-            [np.arange(nd, nd + roles.nq), np.arange(nd), np.arange(nd + roles.nq, y.size)]
-        )
-        return np.asarray(A[order][:, order])  # states are ordered (q_d', q_d, q_k, z) there
+        return jacobian(self.kinematics, Moment(t, x, v, e, near.ed), z)
 
     def _longest(self) -> float:
         """Longest step [s] in which no frame turns too far for its position to be followed."""
@@ -158,8 +133,6 @@ class Scipy(MinimalRun):
             self.restart()
         solver = self._solver
         solver.max_step = self._longest()
-        if isinstance(solver, Radau):
-            solver.enlarged = max(1.0, self.reached / max(1.0, self.choices.best))
         try:
             message: str | None = solver.step()
             if solver.status == "failed":

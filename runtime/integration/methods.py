@@ -14,12 +14,15 @@ from flexel.base.errors import FlexelError, ModelError
 from flexel.integration.dop853 import Dop853
 from flexel.integration.driver import Run
 from flexel.integration.events import Event
+from flexel.integration.excitation import followed
 from flexel.integration.explicit import METHODS, Scipy
 from flexel.integration.followed import Followed
 from flexel.integration.minimal import Tolerances
+from flexel.integration.radau import Radau
 from flexel.integration.steps import Control, GeneralizedAlpha
-from flexel.integration.stiffness import ALPHA, EXPLICIT, stiff, suitable
+from flexel.integration.stiffness import ALPHA, EXPLICIT, RADAU, Suitable, smooth, stiff, suitable
 from flexel.integration.sundials import Sundials
+from flexel.integration.trial import evaluations
 from flexel.mechanics.core import Core
 from flexel.mechanics.inertia import InertiaError
 from flexel.mechanics.reach import lost, reach
@@ -34,11 +37,17 @@ _STEPS = frozenset({"rtol", "atol", "first_step", "max_step"})
 _DENSE = _STEPS | {"events", "rechoose"}
 OPTIONS: dict[str, frozenset[str]] = {  # by method; the remaining options apply to all methods
     AUTO: _DENSE,
-    **dict.fromkeys((EXPLICIT, *METHODS), _DENSE),
+    **dict.fromkeys((EXPLICIT, RADAU, *METHODS), _DENSE),
     ALPHA: _STEPS | {"step", "spectral_radius", "newton"},
     SUNDIALS: _STEPS | {"max_order"},
 }
 RTOL, ATOL, IMPLICIT_RTOL = 1e-9, 1e-11, 1e-6
+PER_RADIAN, ORDER = 48.0, 5  # evaluations of Radau in a radian of what it follows, at rtol = 1e-6; and its order
+LINEAR = 17.0  # degrees of freedom for which the linear algebra of a step of Radau costs as much as one evaluation
+FEW = 300.0  # radians of the fastest mode that DOP853 follows in no time
+TRIAL = 0.05  # of the cost of DOP853, that a trial of Radau may take: motions may begin with a transient
+MOST = 20_000  # evaluations that it may take
+CHEAPER = 2.0  # times that Radau must need fewer evaluations: a motion may become more lively than at its start
 SOON = 200  # steps after which a motion is linearized if its start cannot be
 LEAST_ATOL = 1e-100  # a smaller value would overflow
 RADIUS, NEWTON, MAX_ORDER = 0.8, "full", 2
@@ -106,32 +115,63 @@ def start_of(system: Core, method: str, start: Any, options: Options) -> State:
     try:
         return system.initial
     except InertiaError:
-        if method in (EXPLICIT, *METHODS) or options.events:
+        if method in (EXPLICIT, RADAU, *METHODS) or options.events:
             raise
         return system.unaccelerated
 
 
-def automatic(system: Core, start: State, duration: float, options: Options) -> tuple[str, str]:
-    """The appropriate method for a motion, and why."""
+def automatic(system: Core, start: State, duration: float, options: Options) -> tuple[str, str, Options]:
+    """The appropriate method for a motion, why, and the options with the tolerance that it is chosen for."""
     if system.roles.nq == 0:
         alone = "only internal states are integrated" if _has_rates(system.structure) else "not integrated"
-        return EXPLICIT, f"{alone}: every motion is prescribed"
-    if options.events:
-        return _because(EXPLICIT, "events are given")
+        return EXPLICIT, f"{alone}: every motion is prescribed", options
     found = suitable(system, start)
     if found.method == EXPLICIT:  # as where a law has an infinite derivative at the start
         start = _soon(system, start, duration)
         found = suitable(system, start)
+    if found.method == ALPHA and options.events:
+        return _because(EXPLICIT, f"events are given, which {ALPHA} does not locate", options)
     if found.method:
-        return _because(found.method, found.why)
-    implicit, why = stiff(system, start, found, duration)
-    return _because(ALPHA if implicit else EXPLICIT, why)
+        return _because(found.method, found.why, options)
+    is_stiff, why = stiff(system, start, found, duration)
+    if float(found.rates.max(initial=0.0)) * duration > FEW and smooth(system):
+        some = _radau(system, start, found, duration, options, is_stiff)
+        if some is not None:
+            return _because(RADAU, f"it takes fewer evaluations than {EXPLICIT} at rtol = {_rtol(some):g}; {why}", some)
+    if is_stiff and not options.events:
+        return _because(ALPHA, why, options)
+    return _because(EXPLICIT, why, options)
+
+
+def _radau(
+    system: Core, start: State, found: Suitable, duration: float, options: Options, is_stiff: bool
+) -> Options | None:
+    """The options with which Radau takes fewer evaluations than DOP853; None if it takes as many."""
+    times = np.array([start.t, start.t + duration])
+    explicit = evaluations(Dop853(system, start, times, _tolerances(system, options), (), True), 0.0)
+    must = followed(system, start, found.matrix, duration)
+    loose = options if options.rtol is not None else replace(options, rtol=IMPLICIT_RTOL)
+    for some, factor in [(options, CHEAPER), *([(loose, 1.0)] if is_stiff else [])]:
+        tolerances = _tolerances(system, some)
+        least = must * PER_RADIAN * (IMPLICIT_RTOL / tolerances.rtol) ** (1 / ORDER)
+        if least * factor >= explicit:
+            continue
+        run = Radau(system, start, times, tolerances, (), True)
+        budget = min(TRIAL * explicit, MOST)
+        if evaluations(run, system.roles.nd / LINEAR, budget) * factor < explicit:
+            return some
+    return None
+
+
+def _calls(start: State) -> bool:
+    """Whether laws call code of the user, which may keep something from call to call."""
+    return any(isinstance(law.code, Callback) for law in start.structure.laws)
 
 
 def _soon(system: Core, start: State, duration: float) -> State:
     """A state a few steps after the start; the start itself if there is none."""
-    if any(isinstance(law.code, Callback) for law in start.structure.laws):
-        return start  # what the user's code keeps from call to call would be that of a motion that is thrown away
+    if _calls(start):
+        return start  # what it keeps would be that of a motion that is thrown away
     run = Dop853(
         system, start, np.array([start.t, start.t + duration]), Tolerances(RTOL, ATOL, None, np.inf), (), True
     )
@@ -144,8 +184,8 @@ def _soon(system: Core, start: State, duration: float) -> State:
         return start
 
 
-def _because(method: str, why: str) -> tuple[str, str]:
-    return method, f"{method}, chosen because {why}"
+def _because(method: str, why: str, options: Options) -> tuple[str, str, Options]:
+    return method, f"{method}, chosen because {why}", options
 
 
 def run_of(system: Core, method: str, start: State, times: Array, duration: float, options: Options) -> Run:
@@ -168,20 +208,26 @@ def run_of(system: Core, method: str, start: State, times: Array, duration: floa
         return _alpha(system, start, times, duration, options)
     if method == SUNDIALS:
         return _sundials(system, start, times, duration, options)
-    events = options.events or ()
-    tolerances = Tolerances(
-        options.number("rtol", RTOL, 1e-13),
-        _atol(system, options),
-        options.first,
-        options.number("max_step", np.inf),
-    )
+    events, tolerances = options.events or (), _tolerances(system, options)
     if system.roles.nq == 0 and not _has_rates(system.structure):
         return Followed(system, start, times, events)
     own = _in_own_roles(system, start)
     rechoose = options.rechoose is not False
-    if method == EXPLICIT:
-        return Dop853(system, own, times, tolerances, events, rechoose)
+    if method in (EXPLICIT, RADAU):
+        kind = Dop853 if method == EXPLICIT else Radau
+        return kind(system, own, times, tolerances, events, rechoose)
     return Scipy(system, own, times, method, tolerances, events, rechoose)
+
+
+def _tolerances(system: Core, options: Options) -> Tolerances:
+    """Those of a method in minimal coordinates."""
+    return Tolerances(
+        _rtol(options), _atol(system, options), options.first, options.number("max_step", np.inf)
+    )
+
+
+def _rtol(options: Options) -> float:
+    return options.number("rtol", RTOL, 1e-13)
 
 
 def _has_rates(structure: Structure) -> bool:

@@ -20,8 +20,6 @@ WEIGHTS = np.array(
 )
 # powers of time of the polynomial through the stages
 COLLOCATION = np.linalg.inv(NODES[:, None] ** np.arange(1, 4))
-# of the error, (8.19) divided by the real eigenvalue: the defect of that polynomial at the start
-ESTIMATE = -COLLOCATION[0]
 # powers of time of 10 times the integral of (s - c1)(s - c2)(s - 1), which is zero at both ends
 CORRECTION = np.array([-1.0, 4.5, -6.0, 2.5])
 

@@ -17,7 +17,7 @@ from flexel.mechanics.core import Core
 from flexel.mechanics.inertia import InertiaError
 from flexel.structure.state import State
 
-EXPLICIT, ALPHA = "DOP853", "generalized-alpha"
+EXPLICIT, RADAU, ALPHA = "DOP853", "Radau", "generalized-alpha"
 STIFF = 3e4  # max |λ| times the duration from which a motion is integrated implicitly
 SMALL = 30  # degrees of freedom above which a step of an explicit method costs more than one of an implicit method
 SPREAD = 100.0  # ratio of max |λ| to the rates that the motion follows from which it is integrated implicitly
@@ -66,6 +66,11 @@ def suitable(system: Core, state: State) -> Suitable:
         return Suitable(ALPHA, "a degree of freedom has no inertia", str(error))
     except (FlexelError, np.linalg.LinAlgError) as error:
         return Suitable(EXPLICIT, "the start cannot be linearized", str(error))
+
+
+def smooth(system: Core) -> bool:
+    """Whether Radau may suit: contacts would end smooth motions again and again, and its matrices are dense."""
+    return "gap" not in system.structure.kinds and system.roles.nd <= MANY
 
 
 def limit(system: Core) -> float:

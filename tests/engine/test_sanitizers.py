@@ -21,7 +21,6 @@ from flexel.generated._kernels import ffi, lib
 from flexel.integration.dop853_steps import Steps
 from flexel.integration.knots import Knots
 from flexel.integration.radau_steps import Collocation
-from flexel.structure.moment import Moment
 
 ROOT = Path(__file__).parents[2]
 ENGINE, GENERATED = ROOT / "runtime" / "engine", ROOT / "generated"
@@ -87,10 +86,13 @@ def prepared(system: fx.System, start: fx.State) -> list[Methods]:
         begin.wait()
         knots = Knots(system, 0.0, 1.0)
         explicit = Steps(system.kinematics, start, y, 1e-8, np.full(y.size, 1e-10), knots)
-        stages = Collocation(system.kinematics, explicit.choice, knots, y.size)
-        stages.factorize(np.zeros((y.size, y.size)), SHORT)
-        stages.scale[:], stages.struct.tolerance = 1.0, 1e-12
-        return explicit, stages
+        implicit = Collocation(system.kinematics, 1.0, np.ones(y.size))
+        implicit.choice, c = explicit.choice, implicit.struct
+        c.tolerance, c.enlarged, c.end, c.longest = 1e-12, 1.0, 1.0, 1.0
+        lib.flexel_radau_factorize(c, SHORT)
+        implicit.look_again()
+        c.factorized, c.real_factorize, c.complex_factorize = SHORT, ffi.NULL, ffi.NULL  # the driver has no LAPACK
+        return explicit, implicit
 
     with ThreadPoolExecutor(THREADS) as pool:
         return list(pool.map(own, range(THREADS)))
@@ -98,7 +100,7 @@ def prepared(system: fx.System, start: fx.State) -> list[Methods]:
 
 def moved(methods: Methods) -> Array:
     """What the driver computes: state after some steps, and the derivatives of the forces there."""
-    own, stages = methods
+    own, implicit = methods
     work, choice, run = own.choice.work.struct, own.choice.struct, own.struct
     lib.flexel_reset(work, choice)
     assert not lib.flexel_dop853_begin(work, choice, run, 0.0)
@@ -107,10 +109,12 @@ def moved(methods: Methods) -> Array:
         assert not lib.flexel_dop853_step(work, choice, run, t, STEP)
         lib.flexel_dop853_accept(work, run)
         t += STEP
-    stages.y[:], stages.Z[:] = own.y, 0.0
-    at = own.choice.work
-    own.choice.warm(Moment(t, at.x.copy(), at.v.copy(), at.e.copy(), np.zeros(at.e.size)))
-    assert stages.step(t, SHORT)
+    at, c = own.choice.work, implicit.struct
+    implicit.y[:], implicit.x[:], implicit.v[:], implicit.e[:], implicit.ed[:] = own.y, at.x, at.v, at.e, 0.0
+    c.t, c.h = t, SHORT
+    assert not lib.flexel_radau_begin(work, choice, c)
+    assert not lib.flexel_radau_step(work, choice, c)
+    lib.flexel_radau_accept(work, c)
     lib.flexel_complete(work, choice, 0)
     lib.flexel_rates(work)
     lib.flexel_convective(work)
@@ -130,7 +134,7 @@ def written(file: Path, methods: Sequence[Methods], workspaces: int = THREADS) -
     first = methods[0][0]
     evaluation = first.kinematics.evaluation
     roots: list[list[Struct]] = [
-        [explicit.choice.work, explicit.choice, explicit, stages] for explicit, stages in methods
+        [explicit.choice.work, explicit.choice, explicit, implicit] for explicit, implicit in methods
     ]
     image = Image(evaluation.tables, [z for root in roots for z in root])
     samples = evaluation.tables.samples

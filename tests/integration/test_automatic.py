@@ -12,7 +12,7 @@ from flexel.integration.methods import Options, automatic
 
 def chosen(system: fx.System, duration: float) -> tuple[str, str]:
     """The method for a motion from the start, and why."""
-    return automatic(system, system.initial, duration, Options())
+    return automatic(system, system.initial, duration, Options())[:2]
 
 
 def pendulum(angle: float = 0.3) -> fx.System:
@@ -64,7 +64,7 @@ def test_a_small_vibration_that_is_all_that_moves_is_not_stiff() -> None:
 
 @pytest.mark.parametrize(
     ("rates", "method"),
-    [((1.0, 1.0), "generalized-alpha"), ((1.0, 1.000001), "generalized-alpha"), ((1.0, -1.0), "DOP853")],
+    [((1.0, 1.0), "Radau"), ((1.0, 1.000001), "Radau"), ((1.0, -1.0), "DOP853")],
 )
 def test_a_motion_is_stiff_if_what_is_fast_rests(rates: tuple[float, float], method: str) -> None:
     """Masses that move together, with a vibration of 3e-11 of their motion, and against one another at 1.4e4 rad/s."""
@@ -73,16 +73,15 @@ def test_a_motion_is_stiff_if_what_is_fast_rests(rates: tuple[float, float], met
     assert chosen(masses(1e8, rates), 0.01)[0] == "DOP853"
 
 
-def test_a_stiff_motion_is_right_and_has_its_energies() -> None:
-    """Both masses on the soft spring: x = sin(ω t) / ω with ω² = 1/2."""
+def test_a_stiff_motion_is_right() -> None:
+    """Both masses on the soft spring: x = sin(ω t) / ω with ω² = 1/2; the hard one may change the period by 3e-9."""
     motion = masses(1e8).simulate(4.0, samples=5)
     assert (
-        "generalized-alpha, chosen because max|λ|·duration = 5.7e+04 at t = 0 s, above 3e+04"
+        "Radau, chosen because it takes fewer evaluations than DOP853 at rtol = 1e-09; max|λ|·duration = 5.7e+04 at "
         in motion.message
     )
-    assert motion.ledger is not None
     omega = np.sqrt(0.5)
-    np.testing.assert_allclose(motion["A.x"], 1 + np.sin(omega * motion.t) / omega, atol=5e-4)
+    np.testing.assert_allclose(motion["A.x"], 1 + np.sin(omega * motion.t) / omega, atol=1e-8)
 
 
 def test_an_unstable_mode_at_rest_counts_as_moving() -> None:
@@ -99,7 +98,7 @@ def test_knots_of_tables_are_steps_of_every_method() -> None:
     t = np.linspace(0, 4, 1601)
     road = fx.Table(t, np.sin(t), kind="linear")
     assert chosen(masses(1e8, load=road), 4.0)[0] == "DOP853"
-    assert chosen(masses(1e8), 4.0)[0] == "generalized-alpha"
+    assert chosen(masses(1e8), 4.0)[0] == "Radau"
 
 
 def test_large_models_are_integrated_implicitly_earlier() -> None:

@@ -11,8 +11,9 @@ from scipy.integrate import solve_ivp
 
 import flexel as fx
 from flexel.derive import Internal, Law, Parameter, symbol
-from flexel.engine.solvers import shifted_factors
 from flexel.examples.bicycle import bicycle, kick
+from flexel.generated._kernels import ffi, lib
+from flexel.integration.radau_steps import Collocation
 from flexel.integration.radau_tableau import CORRECTION, NODES, PAIR, REAL, WEIGHTS, T
 
 STIFF = 50.0  # of Van der Pol's equation
@@ -72,12 +73,24 @@ def test_the_coefficients_are_those_of_the_method() -> None:
     assert [slope(c) for c in NODES] == pytest.approx([0, 0, 0], abs=1e-14)
 
 
-def test_factors_with_a_shift_are_none_if_the_matrix_is_singular_or_not_finite() -> None:
-    A = np.diag([1.0, 2.0])
-    assert shifted_factors(A, 2.0) is None
-    assert shifted_factors(A * np.nan, 1.0 + 2.0j) is None
-    found = shifted_factors(A, 3.0)
-    assert found is not None and np.diag(found[0]) == pytest.approx([2.0, 1.0])
+def test_the_linear_systems_of_a_step_leave_out_the_values_whose_rates_are_variables() -> None:
+    """The bicycle, with kinematic coordinates: (μ/h) 1 - J against NumPy; a singular or infinite matrix is refused."""
+    system, h = bicycle(), 0.1
+    ny = system.kinematics.roles.nq + system.kinematics.roles.nd
+    steps = Collocation(system.kinematics, 1e-6, np.full(ny, 1e-8))
+    rng = np.random.default_rng(1)
+    nd = system.kinematics.roles.nd
+    steps.J[:nd, ny - nd :] = np.eye(nd)
+    steps.J[nd:] = rng.normal(size=(ny - nd, ny))
+    assert lib.flexel_radau_factorize(steps.struct, h) == 0
+    b = rng.normal(size=ny)
+    x = b.copy()
+    lib.flexel_radau_solve(steps.struct, h, ffi.from_buffer("double[]", x))
+    assert x == pytest.approx(np.linalg.solve(REAL / h * np.eye(ny) - steps.J, b), rel=1e-12)
+    steps.J[nd:] = REAL / h * np.eye(ny)[nd:]
+    assert lib.flexel_radau_factorize(steps.struct, h) == 1
+    steps.J[nd] = np.nan
+    assert lib.flexel_radau_factorize(steps.struct, h) == 1
 
 
 def test_the_error_at_the_end_is_of_order_five_and_between_the_steps_no_larger() -> None:

@@ -1,6 +1,6 @@
 /* One model in several threads, without Python: reads the file that tests/image.py writes, and moves the model by steps of
- * the explicit method, and one of Radau IIA, in all threads at once, each with structures of its own. All must find the same digits, which are
- * printed. To be compiled with a sanitizer. */
+ * the explicit method, and one of Radau IIA, in all threads at once, each with structures of its own. All must find the same
+ * digits, which are printed. To be compiled with a sanitizer. */
 #include "evaluate.h"
 #include "explicit.h"
 #include "radau.h"
@@ -22,7 +22,7 @@ typedef struct {
     flexel_work *work;
     flexel_choice *choice;
     flexel_dop853 *run;
-    flexel_radau *stages;
+    flexel_radau *implicit;
     const double *samples;
     size_t stride, length;
     double *state; /* found at the end; followed by the derivatives of the forces */
@@ -74,21 +74,24 @@ static void link_kernel(char **memory, const uint64_t *place, const char *symbol
     memcpy(memory[place[0]] + place[1], table + place[2], sizeof(flexel_kernel));
 }
 
-/* One step of Radau IIA from where the other method has come to, into its Z. */
+/* One step of Radau IIA from where the other method has come to. Its matrices are factorized for this length already. */
 static int implicit_step(task *own, double t)
 {
     flexel_work *s = own->work;
     flexel_choice *c = own->choice;
-    flexel_radau *r = own->stages;
+    flexel_radau *r = own->implicit;
     memcpy(r->y, own->run->y, r->ny * sizeof(double));
-    memset(r->Z, 0, 3 * r->ny * sizeof(double));
-    memcpy(c->x_last, s->x, s->n * sizeof(double));
-    memcpy(c->e_last, s->e, s->m * sizeof(double));
-    memset(c->ed_last, 0, s->m * sizeof(double));
-    c->predict = 0;
-    c->t_last = t;
-    const int failed = flexel_radau_step(s, c, r, t, SHORT);
-    return failed ? failed : !r->converged;
+    memcpy(r->x, s->x, s->n * sizeof(double));
+    memcpy(r->v, s->v, s->n * sizeof(double));
+    memcpy(r->e, s->e, s->m * sizeof(double));
+    memset(r->ed, 0, s->m * sizeof(double));
+    r->t = t;
+    r->h = SHORT;
+    int failed = flexel_radau_begin(s, c, r);
+    failed = failed ? failed : flexel_radau_step(s, c, r);
+    if (!failed)
+        flexel_radau_accept(s, r);
+    return failed;
 }
 
 /* The same motion several times from the same start; then the state and the derivatives of the forces. */
@@ -177,7 +180,7 @@ int main(int argc, char **argv)
         own->work = (void *)memory[number(in)];
         own->choice = (void *)memory[number(in)];
         own->run = (void *)memory[number(in)];
-        own->stages = (void *)memory[number(in)];
+        own->implicit = (void *)memory[number(in)];
         own->samples = (const void *)memory[samples];
         own->stride = stride;
         own->length = length + 2 * own->work->nT;

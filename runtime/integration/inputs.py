@@ -1,0 +1,34 @@
+"""Prescribed motions and loads at the stages of a step, for the engine."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from flexel.base.arrays import Array
+from flexel.integration.knots import Knots
+from flexel.mechanics.kinematics import Kinematics
+
+
+def give(kinematics: Kinematics, knots: Knots, given: Array, times: Sequence[float]) -> None:
+    """Fill rows (times, 3 prescribed + loads) with prescribed motions (value, rate, second rate) and loads.
+
+    Parameters
+    ----------
+    kinematics : Kinematics
+    knots : Knots
+        The functions are evaluated in the present interval between knots.
+    given : ndarray (times, 3 prescribed + loads)
+    times : sequence of float
+        [s]
+    """
+    motions, loads = kinematics.roles.motions, kinematics.loads
+    split = given.shape[1] - loads.quantities.size
+    varying = loads.any and not loads.steady
+    if loads.any and loads.steady:
+        given[:, split:] = loads.values(knots.inside(times[0]))
+    for row, t in zip(given, times, strict=True) if motions or varying else ():
+        inside = knots.inside(t)
+        if motions:
+            row[:split] = kinematics.roles.motion(inside).ravel()
+        if varying:
+            row[split:] = loads.values(inside)

@@ -1,0 +1,27 @@
+"""The Jacobian of the equations of motion in minimal coordinates, for implicit methods."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from flexel.base.arrays import Array
+from flexel.mechanics import dynamics
+from flexel.mechanics.kinematics import Kinematics
+from flexel.mechanics.linearize import linearize
+from flexel.structure.moment import Moment
+
+
+def jacobian(kinematics: Kinematics, now: Moment, z: Array) -> Array:
+    """Derivatives (ny, ny) of the rates of y = (q_d, q_k, q_d', z) by y, from the linearization.
+
+    Raises
+    ------
+    TangentError
+        If a law has no slope there.
+    ConstraintError, InertiaError
+        As in `linearize`.
+    """
+    nd, nq = kinematics.roles.nd, kinematics.roles.nq
+    A = linearize(kinematics, dynamics.complete(kinematics, now.t, now.x, now.v, now.e, z)).state_matrix
+    order = np.concatenate([np.arange(nd, nd + nq), np.arange(nd), np.arange(nd + nq, len(A))])
+    return np.asarray(A[order][:, order])  # states are ordered (q_d', q_d, q_k, z) there
