@@ -14,7 +14,8 @@ from flexel.base.errors import DynamicsError, FlexelError
 from flexel.generated._kernels import lib
 from flexel.integration.branch import REFUSED
 from flexel.integration.dense import Interpolant
-from flexel.integration.dop853_steps import TIMES, B, C, Steps
+from flexel.integration.dop853_steps import B, Steps
+from flexel.integration.flat import crossing_step, flat_position
 from flexel.integration.minimal import SHORTEST, MinimalRun
 from flexel.integration.outcome import Segment
 from flexel.structure.moment import Moment
@@ -23,7 +24,6 @@ SAFETY, SMALLEST, LARGEST = 0.9, 0.2, 10.0  # factors of the step control
 EXPONENT = -1 / 8
 SHADOW = 1e-3  # error of the shadow in one step, in natural scales
 TURNS = 0.1  # of periodic deformations, in periods
-CAREFUL = 1e-9  # of the shadow and its rates where the sign of the position matrix changes
 FARTHEST = 10.0  # distance of the solution from the shadow, in expected errors
 FLOOR = 1e-5  # that is always allowed
 STAYS = 0.8  # share of a defect that a step of 0.4 times the length leaves, if the length is not its cause
@@ -32,7 +32,6 @@ NOISE = 2.0  # of one step to another
 TRUE = 0.1  # error of a step of order eight, relative to the estimates by its embedded formulas
 FIRST = 1e-9  # least first step, relative to the time left: values of y that are rounding errors ask for less
 SHORTER = 0.4  # factor of a step that is refused
-GAPS = 7 / 15, float(C[1]) / 2  # middles of the widest gap between them, and of the first one
 
 
 class Dop853(MinimalRun):
@@ -52,7 +51,7 @@ class Dop853(MinimalRun):
     _tried = 0.0
     _failed = 0
     _noise = 0.0  # largest defect of the rates that shorter steps did not reduce, with a margin
-    _crossing = False  # the next step crosses a bifurcation
+    _flat = -np.inf  # time of a flat position that steps were refused at
 
     def restart(self) -> None:
         """Restart from the present position in the present degrees of freedom."""
@@ -104,8 +103,7 @@ class Dop853(MinimalRun):
 
     def advance(self) -> str | None:
         """One accepted step."""
-        end, rejected, careful, across = self.stop, False, False, 0.0
-        crossing, self._crossing, defect = self._crossing, False, np.inf
+        end, rejected, careful, defect = self.stop, False, False, np.inf
         first_order = self.steps.first_order
         wished = self._h
         while True:
@@ -113,15 +111,12 @@ class Dop853(MinimalRun):
             shortest = max(SHORTEST * self._span, 10 * abs(np.nextafter(self.t, np.inf) - self.t))
             if self._h < shortest and self._h < end - self.t:
                 raise self.gives_up(self._stopped())
-            t1 = min(self.t + min(self._h, self.tolerances.max_step), end)
+            t1 = min(self.t + crossing_step(self._flat - self.t, min(self._h, self.tolerances.max_step)), end)
             h = self._tried = t1 - self.t
             before = c.evaluations
             code = s.step(self.t, h, careful)
             self.counts["evaluations"] += c.evaluations - before
-            error = self._error(careful) if not code else np.inf
-            if c.changed and not careful and (error < 1 or crossing):
-                careful = True
-                continue
+            error = self._error() if not code else np.inf
             if error < 1:
                 trusted = self._trusted()
                 exact = trusted and self._exact(defect)
@@ -134,47 +129,30 @@ class Dop853(MinimalRun):
             self.counts["rejected"] += 1
             if first_order:  # a failed trial must not leave another order of pivots behind
                 self.steps.use_first_order()
+            if careful and not code:
+                self._look(h)
+            careful = rejected
             rejected = True
             self._h = h * (max(SMALLEST, SAFETY * error**EXPONENT) if np.isfinite(error) else SHORTER)
-            if careful and c.changed and not code:
-                self._h, across = self._approach(h, self._h)
-                careful, crossing = False, True
             if not np.isfinite(error) and self.consider_refused():
+                self._flat = -np.inf
                 self.restart()
         factor = min(LARGEST, SAFETY * error**EXPONENT) if error > 0 else LARGEST
-        self._crossing = across > 0
-        self._h = across or h * (min(1.0, factor) if rejected else factor)
+        self._h = h * (min(1.0, factor) if rejected else factor)
         if t1 == end and not rejected:
             self._h = max(self._h, wished)  # it was cut short
         return self._accepted(t1)
 
-    def _error(self, careful: bool) -> float:
+    def _error(self) -> float:
         """The largest of the errors of a step, relative to what is allowed."""
         c = self.steps.struct
         found = max(c.error, c.error_x / SHADOW, c.error_turns / TURNS)
-        if careful:
-            found = max(found, c.error_x / CAREFUL, c.error_v / (CAREFUL * (c.fastest or 1.0)))
         return float(found) if np.isfinite(found) else np.inf
 
-    def _approach(self, h: float, across: float) -> tuple[float, float]:
-        """Steps [s] up to a bifurcation and across it, which lies in the widest gap of the stages of the second.
-
-        Velocities close to it lose their digits to rounding.  The second is zero where the first step crosses it.
-
-        Parameters
-        ----------
-        h, across : float
-            The careful step that was refused, and one that may be accurate enough [s].
-        """
-        crossed = np.array([self.steps.struct.changed >> i & 1 for i in range(TIMES.size)], dtype=bool)
-        i = int(np.argmin(np.where(crossed, TIMES, 2.0)))
-        j = int(np.argmax(np.where(crossed | (TIMES >= TIMES[i]), -1.0, TIMES)))
-        size = self.steps.determinant
-        share = 1 / (1 + np.exp2(np.clip(size[i] - size[j], -60, 60)))  # the determinant passes zero linearly
-        until = float(h * (TIMES[j] + share * (TIMES[i] - TIMES[j])))
-        if until > GAPS[0] * across:
-            return until - GAPS[0] * across, across
-        return until / GAPS[until < GAPS[1] * across], 0.0
+    def _look(self, h: float) -> None:
+        """Find the next flat position from the determinants of a step of this length [s]."""
+        share = flat_position(self.steps.determinant)
+        self._flat = -np.inf if share is None else float(self.t + share * h)
 
     def _poor(self) -> bool:
         """Whether other degrees of freedom are so much better that they may explain a change of sign."""
@@ -195,6 +173,8 @@ class Dop853(MinimalRun):
         """
         c, given = self.steps.struct, self.tolerances
         allowed = self.largest_atol + given.rtol * c.fastest
+        if c.defect_v > FARTHEST * (min(c.error_v, SHADOW * c.fastest) + self.reached * allowed):
+            return False  # without an impulse rates do not jump
         expected = TRUE * (c.error_v + allowed) + min(self._noise, allowed)
         if c.defect_v <= expected or self.steps.choice.reach() <= NEAR:
             return True
@@ -223,7 +203,7 @@ class Dop853(MinimalRun):
     @property
     def usual(self) -> bool:
         """Whether the usual rules have applied to all earlier steps."""
-        return not self._noise and not self._crossing
+        return not self._noise and self._flat <= self.t
 
     @property
     def next_step(self) -> float:
