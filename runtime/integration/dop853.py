@@ -114,7 +114,7 @@ class Dop853(MinimalRun):
             t1 = min(self.t + crossing_step(self._flat - self.t, min(self._h, self.tolerances.max_step)), end)
             h = self._tried = t1 - self.t
             before = c.evaluations
-            code = s.step(self.t, h, careful)
+            code = s.step(self.t, h, careful, rejected)
             self.counts["evaluations"] += c.evaluations - before
             error = self._error() if not code else np.inf
             if error < 1:
@@ -129,11 +129,9 @@ class Dop853(MinimalRun):
             self.counts["rejected"] += 1
             if first_order:  # a failed trial must not leave another order of pivots behind
                 self.steps.use_first_order()
-            if careful and not code:
-                self._look(h)
-            careful = rejected
-            rejected = True
-            self._h = h * (max(SMALLEST, SAFETY * error**EXPONENT) if np.isfinite(error) else SHORTER)
+            if not (rejected and not code and self._finds(h)):
+                self._h = h * (max(SMALLEST, SAFETY * error**EXPONENT) if np.isfinite(error) else SHORTER)
+            careful, rejected = rejected, True
             if not np.isfinite(error) and self.consider_refused():
                 self._flat = -np.inf
                 self.restart()
@@ -149,10 +147,11 @@ class Dop853(MinimalRun):
         found = max(c.error, c.error_x / SHADOW, c.error_turns / TURNS)
         return float(found) if np.isfinite(found) else np.inf
 
-    def _look(self, h: float) -> None:
-        """Find the next flat position from the determinants of a step of this length [s]."""
-        share = flat_position(self.steps.determinant)
+    def _finds(self, h: float) -> bool:
+        """Whether a refused step of this length [s] shows a flat position that was not known."""
+        known, share = self._flat > self.t, flat_position(self.steps.determinant[1:])
         self._flat = -np.inf if share is None else float(self.t + share * h)
+        return share is not None and not known
 
     def _poor(self) -> bool:
         """Whether other degrees of freedom are so much better that they may explain a change of sign."""
@@ -173,7 +172,7 @@ class Dop853(MinimalRun):
         """
         c, given = self.steps.struct, self.tolerances
         allowed = self.largest_atol + given.rtol * c.fastest
-        if c.defect_v > FARTHEST * (min(c.error_v, SHADOW * c.fastest) + self.reached * allowed):
+        if c.defect_v > min(c.error_v, SHADOW * c.fastest) + FARTHEST * self.reached * allowed:
             return False  # without an impulse rates do not jump
         expected = TRUE * (c.error_v + allowed) + min(self._noise, allowed)
         if c.defect_v <= expected or self.steps.choice.reach() <= NEAR:

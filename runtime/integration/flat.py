@@ -12,7 +12,7 @@ import numpy as np
 from flexel.base.arrays import Array
 from flexel.integration.dop853_steps import TIMES
 
-DIP = 2.0  # fall of the logarithm of the determinant within a step, to base two, that is looked at
+DIP = 2.0  # range of the logarithms of the determinant in a step, to base two, that is looked at
 BEYOND = 1.3  # last time tried, relative to the step: the position may lie behind its end
 GRID = 400  # times that are tried
 ROUGH = 0.5  # misfit of the logarithms, to base two, of a position that is found
@@ -31,18 +31,19 @@ def flat_position(logarithm: Array) -> float | None:
 
     Parameters
     ----------
-    logarithm : ndarray (13,)
-        Logarithms of the size of the determinant at the stages and the end, to base two.
+    logarithm : ndarray (12,)
+        Logarithms of the size of the determinant at the stages after the start and the end, to base two.
     """
-    if not np.isfinite(logarithm).all() or logarithm[0] - logarithm.min() < DIP:
+    if not np.isfinite(logarithm).all() or np.ptp(logarithm) < DIP:
         return None
-    used = np.arange(TIMES.size) != np.argmin(logarithm)
+    used = np.arange(logarithm.size) != np.argmin(logarithm)
+    times, logarithm = TIMES[1:][used], logarithm[used]
     tried = (np.arange(GRID) + 0.5) * (BEYOND / GRID)
-    columns = np.empty((GRID, TIMES.size - 1, 3))
-    columns[:, :, 0], columns[:, :, 1] = 1.0, TIMES[used]
-    columns[:, :, 2] = np.log2(np.abs(TIMES[used] - tried[:, None]))
-    found = np.linalg.pinv(columns) @ logarithm[used]
-    off = np.einsum("ijk,ik->ij", columns, found) - logarithm[used]
+    columns = np.empty((GRID, times.size, 3))
+    columns[:, :, 0], columns[:, :, 1] = 1.0, times
+    columns[:, :, 2] = np.log2(np.abs(times - tried[:, None]))
+    found = np.linalg.pinv(columns) @ logarithm
+    off = np.einsum("ijk,ik->ij", columns, found) - logarithm
     size = np.where(found[:, 2] > LEAST, np.sqrt(np.mean(off**2, axis=1)), np.inf)
     best = int(np.argmin(size))
     return float(tried[best]) if size[best] < ROUGH else None
