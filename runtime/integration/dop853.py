@@ -114,7 +114,7 @@ class Dop853(MinimalRun):
             t1 = min(self.t + crossing_step(self._flat - self.t, min(self._h, self.tolerances.max_step)), end)
             h = self._tried = t1 - self.t
             before = c.evaluations
-            code = s.step(self.t, h, careful, rejected)
+            code = s.step(self.t, h, careful)
             self.counts["evaluations"] += c.evaluations - before
             error = self._error() if not code else np.inf
             if error < 1:
@@ -129,12 +129,15 @@ class Dop853(MinimalRun):
             self.counts["rejected"] += 1
             if first_order:  # a failed trial must not leave another order of pivots behind
                 self.steps.use_first_order()
-            if not (rejected and not code and self._finds(h)):
-                self._h = h * (max(SMALLEST, SAFETY * error**EXPONENT) if np.isfinite(error) else SHORTER)
-            careful, rejected = rejected, True
             if not np.isfinite(error) and self.consider_refused():
                 self._flat = -np.inf
                 self.restart()
+            elif not careful and not code and (rejected or self._suspicious()):
+                careful = True
+                continue
+            if not (careful and not code and self._finds(h)):
+                self._h = h * (max(SMALLEST, SAFETY * error**EXPONENT) if np.isfinite(error) else SHORTER)
+            rejected = True
         factor = min(LARGEST, SAFETY * error**EXPONENT) if error > 0 else LARGEST
         self._h = h * (min(1.0, factor) if rejected else factor)
         if t1 == end and not rejected:
@@ -147,9 +150,18 @@ class Dop853(MinimalRun):
         found = max(c.error, c.error_x / SHADOW, c.error_turns / TURNS)
         return float(found) if np.isfinite(found) else np.inf
 
+    def _suspicious(self) -> bool:
+        """Whether a step may have been refused because one of its stages is close to a flat position."""
+        c = self.steps.struct
+        return bool(c.changed) or not c.defect_v <= TRUE * (c.error_v + self._allowed())
+
+    def _allowed(self) -> float:
+        """Error of the rates within the tolerance."""
+        return float(self.largest_atol + self.tolerances.rtol * self.steps.struct.fastest)
+
     def _finds(self, h: float) -> bool:
         """Whether a refused step of this length [s] shows a flat position that was not known."""
-        known, share = self._flat > self.t, flat_position(self.steps.determinant[1:])
+        known, share = self._flat > self.t, flat_position(self.steps.determinant)
         self._flat = -np.inf if share is None else float(self.t + share * h)
         return share is not None and not known
 
@@ -170,8 +182,7 @@ class Dop853(MinimalRun):
         A defect no smaller than that of a longer, refused step is not an error of the step. Later steps may have such a
         defect too, within the tolerance, or each would have to be shorter than the last.
         """
-        c, given = self.steps.struct, self.tolerances
-        allowed = self.largest_atol + given.rtol * c.fastest
+        c, allowed = self.steps.struct, self._allowed()
         if c.defect_v > min(c.error_v, SHADOW * c.fastest) + FARTHEST * self.reached * allowed:
             return False  # without an impulse rates do not jump
         expected = TRUE * (c.error_v + allowed) + min(self._noise, allowed)

@@ -98,14 +98,14 @@ class Steps(Struct):
         self.given(t, 0.0, slice(0, 1))
         self.kinematics.check(lib.flexel_dop853_begin(*self._structs, t), t, self.choice)
 
-    def step(self, t: float, h: float, careful: bool, watched: bool) -> int:
+    def step(self, t: float, h: float, careful: bool) -> int:
         """One step; the code of what failed, or zero.
 
-        A careful step finds positions to rounding; one that is watched keeps the size of the determinants.
+        A careful step finds positions to rounding, and keeps the sizes of the determinants.
         """
         choice = self.choice.struct
         choice.accept = 0.0 if careful else accepted_error(self.kinematics, self.struct.rtol)
-        self.struct.determinant = self._determinant if watched else ffi.NULL
+        self.struct.determinant = self._determinant if careful else ffi.NULL
         if careful:
             self.begin(t)
         self.given(t, h, slice(1, 13))

@@ -31,13 +31,13 @@ def flat_position(logarithm: Array) -> float | None:
 
     Parameters
     ----------
-    logarithm : ndarray (12,)
-        Logarithms of the size of the determinant at the stages after the start and the end, to base two.
+    logarithm : ndarray (13,)
+        Logarithms of the size of the determinant at the stages and the end, to base two.
     """
     if not np.isfinite(logarithm).all() or np.ptp(logarithm) < DIP:
         return None
     used = np.arange(logarithm.size) != np.argmin(logarithm)
-    times, logarithm = TIMES[1:][used], logarithm[used]
+    times, logarithm = TIMES[used], logarithm[used]
     tried = (np.arange(GRID) + 0.5) * (BEYOND / GRID)
     columns = np.empty((GRID, times.size, 3))
     columns[:, :, 0], columns[:, :, 1] = 1.0, times
