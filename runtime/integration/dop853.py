@@ -183,7 +183,7 @@ class Dop853(MinimalRun):
         defect too, within the tolerance, or each would have to be shorter than the last.
         """
         c, allowed = self.steps.struct, self._allowed()
-        if c.defect_v > min(c.error_v, SHADOW * c.fastest) + FARTHEST * self.reached * allowed:
+        if c.defect_v > min(c.error_v, SHADOW * c.fastest) + self.reached * allowed:
             return False  # without an impulse rates do not jump
         expected = TRUE * (c.error_v + allowed) + min(self._noise, allowed)
         if c.defect_v <= expected or self.steps.choice.reach() <= NEAR:
