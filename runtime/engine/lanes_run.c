@@ -29,8 +29,16 @@ static int trusted(const flexel_lanes *l, const flexel_trial *trial, size_t i)
     const double rtol = l->steps->rtol, expected = trial->error_x[i] + l->reached[i] * (l->atol + rtol);
     const double allowed = l->atol + rtol * trial->fastest[i];
     return trial->defect[i] <= l->farthest * fmax(expected, l->floor) &&
+           trial->defect_v[i] <= fmin(trial->error_v[i], l->shadow * trial->fastest[i]) + l->reached[i] * allowed &&
            (trial->defect_v[i] <= l->exact * (trial->error_v[i] + allowed) || l->reach[i] <= l->near) &&
            l->reach[i] <= l->allowed[i];
+}
+
+/* Whether a trial may have been refused because a stage is close to a flat position. */
+static int suspicious(const flexel_lanes *l, const flexel_trial *trial, size_t i)
+{
+    const double allowed = l->atol + l->steps->rtol * trial->fastest[i];
+    return trial->changed[i] || !(trial->defect_v[i] <= l->exact * (trial->error_v[i] + allowed));
 }
 
 /* What becomes of a trial in one lane: its step is good, or tried again with another length, or the lane stops. */
@@ -38,7 +46,8 @@ static int conclude(flexel_lanes *l, const flexel_trial *trial, size_t i)
 {
     const double parts = trial->error[i] + trial->error_x[i] + trial->error_turns[i];
     const double error = fmax(fmax(trial->error[i], trial->error_x[i] / l->shadow), trial->error_turns[i] / l->turns);
-    if (trial->failed[i] || !isfinite(parts) || (error < 1 && (trial->changed[i] || !trusted(l, trial, i)))) {
+    const int unusual = error < 1 ? trial->changed[i] || !trusted(l, trial, i) : l->tries[i] || suspicious(l, trial, i);
+    if (trial->failed[i] || !isfinite(parts) || unusual) {
         l->doing[i] = FLEXEL_STOPPED;
         return 0;
     }

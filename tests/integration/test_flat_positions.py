@@ -1,0 +1,52 @@
+"""Parallelograms in series that swing through their flat positions, against the single angle of all cranks."""
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+import flexel as fx
+from flexel.base.arrays import Array
+
+G, DURATION = 9.81, 4.0
+
+
+def series(loops: int) -> fx.System:
+    """Cranks and couplers of length one, one kilogram each."""
+    m = fx.Model(gravity=(0, -G))
+    for i in range(loops + 1):
+        m.point(f"O{i}", (i, 0), fixed=True)
+        m.point(f"A{i}", (i, 1))
+        m.beam(f"crank{i}", f"O{i}", m.angle(f"R{i}"), f"A{i}", mass_per_length=1.0)
+    for i in range(loops):
+        m.beam(f"coupler{i}", f"A{i}", m.angle(f"S{i}"), f"A{i + 1}", mass_per_length=1.0)
+    return m.build()
+
+
+def exact(loops: int, speed: float, times: Array) -> Array:
+    """The angle of all cranks: a pendulum with the inertia and weight of cranks and couplers."""
+    k = G * ((loops + 1) / 2 + loops) / ((loops + 1) / 3 + loops)
+    found = solve_ivp(
+        lambda t, y: [y[1], -k * np.cos(y[0])],
+        (0, DURATION),
+        [np.pi / 2, -speed],
+        method="DOP853",
+        rtol=1e-12,
+        atol=1e-12,
+        t_eval=times,
+    )
+    return np.asarray(found.y[0])
+
+
+@pytest.mark.parametrize("loops", [1, 2, 3, 5, 8, 15])
+@pytest.mark.parametrize("options", [{}, {"rtol": 1e-6}, {"rtol": 1e-10}])
+def test_parallelograms_in_series_keep_one_angle_through_flat_positions(
+    loops: int, options: dict[str, float]
+) -> None:
+    system, times = series(loops), np.linspace(0, DURATION, 41)
+    for speed in (0.725, 1.15, 1.2208333333333332, 1.4333333333333333, 2.0):
+        start = system.state_at(rates={"A0.x": speed})
+        motion = system.simulate(DURATION, start=start, times=times, method="DOP853", progress=False, **options)
+        angle = exact(loops, speed, times)
+        for i in range(loops + 1):
+            assert motion[f"A{i}.x"] - i == pytest.approx(np.cos(angle), abs=5e-3), (speed, i)
+            assert motion[f"A{i}.y"] == pytest.approx(np.sin(angle), abs=5e-3), (speed, i)
