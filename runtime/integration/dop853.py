@@ -23,6 +23,7 @@ from flexel.structure.moment import Moment
 SAFETY, SMALLEST, LARGEST = 0.9, 0.2, 10.0  # factors of the step control
 EXPONENT = -1 / 8
 SHADOW = 1e-3  # error of the shadow in one step, in natural scales
+CAREFUL = 1e-6  # of the shadow and its rates where the sign of the position matrix changes
 TURNS = 0.1  # of periodic deformations, in periods
 FARTHEST = 10.0  # distance of the solution from the shadow, in expected errors
 FLOOR = 1e-5  # that is always allowed
@@ -116,11 +117,11 @@ class Dop853(MinimalRun):
             before = c.evaluations
             code = s.step(self.t, h, careful)
             self.counts["evaluations"] += c.evaluations - before
-            error = self._error() if not code else np.inf
+            error, longer = self._error() if not code else np.inf, defect
             if error < 1:
                 trusted = self._trusted()
                 exact = trusted and self._exact(defect)
-                if exact and not (c.changed and self._poor()):
+                if exact and not (c.changed and (self._rough() or self._poor())):
                     break
                 if trusted and not exact:
                     defect = float(c.defect_v)
@@ -133,7 +134,7 @@ class Dop853(MinimalRun):
                 self._flat = -np.inf
                 self.restart()
             elif not careful and not code and (rejected or self._suspicious()):
-                careful = True
+                careful, defect = True, longer  # the same length again
                 continue
             if not (careful and not code and self._finds(h)):
                 self._h = h * (max(SMALLEST, SAFETY * error**EXPONENT) if np.isfinite(error) else SHORTER)
@@ -149,6 +150,11 @@ class Dop853(MinimalRun):
         c = self.steps.struct
         found = max(c.error, c.error_x / SHADOW, c.error_turns / TURNS)
         return float(found) if np.isfinite(found) else np.inf
+
+    def _rough(self) -> bool:
+        """Whether the shadow is too inexact to tell a flat position from a fold by it."""
+        c = self.steps.struct
+        return bool(max(c.error_x, c.error_v / (c.fastest or 1.0)) > CAREFUL)
 
     def _suspicious(self) -> bool:
         """Whether a step may have been refused because one of its stages is close to a flat position."""

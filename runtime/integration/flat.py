@@ -1,8 +1,8 @@
 """Flat positions: where branches of solutions meet, and the steps that cross them far from each stage.
 
 Close to such a position velocities lose their digits to rounding, and accelerations even more; shorter steps come only
-closer.  So it lies in a gap between the stages of one step.  The sign of the determinant of the position matrix shows it
-only if an odd number of loops is flat at the same time; its size shows it always.
+closer.  So it lies in a gap between the stages of one step.  The sign of the determinant of the position matrix shows
+it only if an odd number of loops is flat at the same time; its size shows it always.
 """
 
 from __future__ import annotations
@@ -26,8 +26,8 @@ WIDEST = int(np.argmax(HALVES))
 def flat_position(logarithm: Array) -> float | None:
     """The time at which the determinant is zero, relative to the step; None if it is not near the step.
 
-    The determinant is c |t - t*|^N exp(b t): each loop that is flat contributes one to N.  A least squares fit for each of
-    the times t* that are tried, without the stage closest to it, which may be lost to rounding.
+    The determinant is c |t - t*|^N exp(b t): each loop that is flat contributes one to N.  This is fitted by least
+    squares for a number of times t*, without the stage closest to it, which may be lost to rounding.
 
     Parameters
     ----------

@@ -45,7 +45,9 @@ def test_parallelograms_in_series_keep_one_angle_through_flat_positions(
     system, times = series(loops), np.linspace(0, DURATION, 41)
     for speed in (0.725, 1.15, 1.2208333333333332, 1.4333333333333333, 2.0):
         start = system.state_at(rates={"A0.x": speed})
-        motion = system.simulate(DURATION, start=start, times=times, method="DOP853", progress=False, **options)
+        motion = system.simulate(
+            DURATION, start=start, times=times, method="DOP853", progress=False, **options
+        )
         angle = exact(loops, speed, times)
         for i in range(loops + 1):
             assert motion[f"A{i}.x"] - i == pytest.approx(np.cos(angle), abs=5e-3), (speed, i)
