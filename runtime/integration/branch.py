@@ -22,7 +22,9 @@ from flexel.structure.moment import Moment
 WORSE = 4.0  # reach of a choice, relative to that of the best one, beyond which the best one is taken; with 2 some
 # random chains at rtol 1e-3 gain digits, and a parallelogram loses its branch
 REFUSED = 2.0  # the same where a step was refused
-HARMLESS = 0.5  # both, relative to that, if only Euler parameters change places: their other branch is far away
+HARMLESS = (
+    0.5  # both, relative to that, if only Euler parameters change places: their other branch is far away
+)
 
 
 @dataclass
