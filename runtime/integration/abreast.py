@@ -80,6 +80,7 @@ class Abreasts:
                 "near": rules.NEAR,
                 "atol": run.largest_atol,
             },
+            run.touching.rows.tolist(),
         )
         self._roles = kinematics.roles
 
