@@ -57,7 +57,7 @@ class Motions(Core):
     ) -> Motion:
         """Forward dynamics; if every motion is prescribed, positions and driving forces.
 
-        Explicit methods integrate the degrees of freedom; they locate events and give states at any time (`Motion.at`).
+        Most methods integrate the degrees of freedom; they locate events and give states at any time (`Motion.at`).
         The generalized-alpha method integrates all coordinates together with the constraint forces, at a cost per step
         that grows linearly with the number of elements; it is for stiff and large models, and gives the energy balance.
         A step is halved if it does not converge, and up to a few times where a contact begins.
@@ -78,12 +78,15 @@ class Motions(Core):
             In minimal coordinates ("explicit" below): DOP853; Radau, implicit and of order 5 (Radau IIA), for stiff
             motions that are smooth; RK45, LSODA or BDF of SciPy.  With all coordinates: generalized-alpha; sundials,
             the backward differentiation formulas of SUNDIALS, for comparison (needs the optional package
-            scikit-sundae).  Or auto: this chooses DOP853, but generalized-alpha if a degree of freedom has no inertia,
-            above 300 degrees of freedom, or if the motion is stiff: the largest eigenvalue of the linearized start
-            times the duration exceeds 3e4 (900 000 divided by the number of degrees of freedom where these are more
-            than 30), and 100 times the radians that any method must follow (those of modes whose amplitude at the
-            start exceeds a twentieth of the motion or that are unstable, of rotations, and knots of tables).  With
-            events always DOP853.  ``motion.message`` reports which and why.
+            scikit-sundae).  Or auto: this chooses DOP853, but Radau where both methods, tried for some steps from the
+            start, show that it takes less than half the evaluations (at least 300 radians of the fastest mode, at
+            most 300 degrees of freedom, no contacts, no functions of the user in laws).  Where neither does and the
+            motion is stiff, it takes Radau with ``rtol=1e-6``, unless `rtol` is given, or generalized-alpha.  A motion
+            is stiff if the largest eigenvalue of the linearized start times the duration exceeds 3e4 (900 000 divided
+            by the number of degrees of freedom where these are more than 30), and 100 times the radians that any
+            method must follow (those of modes whose amplitude at the start exceeds a twentieth of the motion or that
+            are unstable, of rotations, and knots of tables).  If a degree of freedom has no inertia, and above 300
+            degrees of freedom, it takes generalized-alpha.  ``motion.message`` reports which and why.
         rtol : float, optional
             Local error in one step: explicit, relative to each variable (Radau: to its largest value so far), 1e-9 by
             default; generalized-alpha, of the coordinates relative to the largest range of a coordinate in this motion

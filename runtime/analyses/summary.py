@@ -9,7 +9,7 @@ import numpy as np
 from flexel.base.arrays import Array
 from flexel.base.shown import Table, listed
 from flexel.integration.methods import AUTO, Options, start_of
-from flexel.integration.stiffness import ALPHA, EXPLICIT, RIGID, limit, stiff, suitable
+from flexel.integration.stiffness import ALPHA, EXPLICIT, RADAU, RIGID, limit, smooth, stiff, suitable
 from flexel.mechanics.core import Core
 
 UNEVEN = 1e8  # ratio of inertias from which a system is called badly scaled: half the digits are lost
@@ -74,7 +74,9 @@ def _speed(system: Core) -> list[tuple[str, str]]:
     suits = f"{EXPLICIT}, also for long motions from this start"
     if stiff(system, start, found, LONGER * longest)[0]:
         word = " (stiff)" if longest < SHORT else ""
-        suits = f"{EXPLICIT} up to {longest:.3g} s, {ALPHA} for longer motions{word}"
+        suits = (
+            f"{EXPLICIT} up to {longest:.3g} s, {RADAU if smooth(system) else ALPHA} for longer motions{word}"
+        )
     return [
         *uneven,
         ("eigenvalues", f"{slowest:.3g} to {fastest:.3g} 1/s in magnitude at the start"),

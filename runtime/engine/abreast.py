@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
@@ -112,7 +112,12 @@ class Abreast(WideStruct):
     """
 
     def __init__(
-        self, work: WideWork, choice: WideChoice, steps: WideSteps, rules: Mapping[str, float]
+        self,
+        work: WideWork,
+        choice: WideChoice,
+        steps: WideSteps,
+        rules: Mapping[str, float],
+        gaps: Sequence[int],
     ) -> None:
         super().__init__(ffi.new("flexel_lanes *"))
         c, s = self.struct, work.struct
@@ -120,6 +125,7 @@ class Abreast(WideStruct):
         c.work, c.choice, c.steps = work.struct, choice.struct, steps.struct
         self.wide("after", s.nf)
         self.v, self.e, self.w = self.wide("v", s.n), self.wide("e", s.m), self.wide("w", s.m)
+        c.gaps, c.ngaps = self.integers(np.array(gaps, dtype=np.int32)), len(gaps)
         for name, value in rules.items():
             setattr(c, name, value)
         self.doing, self.taken, self.refused, self.tries = (self._counts(z) for z in COUNTS)

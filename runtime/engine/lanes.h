@@ -33,6 +33,8 @@ typedef struct {
     double *t, *h, *first, *to, *until;
     double *reached, *reach, *allowed; /* reach at the start of the step and at its end, and its largest value */
     double *sign; /* of the determinant of the position matrix at the start of the step */
+    const int *gaps; /* deformations whose sign may not change within a step: a contact begins or ends there */
+    int ngaps;
 } flexel_lanes;
 
 /* Take steps until a lane passes the time of its own, at the latest at the end, or stops. The step that passes it is still

@@ -34,11 +34,23 @@ static int trusted(const flexel_lanes *l, const flexel_trial *trial, size_t i)
            l->reach[i] <= l->allowed[i];
 }
 
+<<<<<<< HEAD
 /* Whether a trial may have been refused because a stage is close to a flat position. */
 static int suspicious(const flexel_lanes *l, const flexel_trial *trial, size_t i)
 {
     const double allowed = l->atol + l->steps->rtol * trial->fastest[i];
     return trial->changed[i] || !(trial->defect_v[i] <= l->exact * (trial->error_v[i] + allowed));
+=======
+/* Whether a contact begins or ends in a step. */
+static int touches(const flexel_lanes *l, size_t i)
+{
+    for (int k = 0; k < l->ngaps; k++) {
+        const size_t at = (size_t)l->gaps[k] * FLEXEL_BLOCK + i;
+        if (l->e[at] * l->work->e[at] < 0)
+            return 1;
+    }
+    return 0;
+>>>>>>> main
 }
 
 /* What becomes of a trial in one lane: its step is good, or tried again with another length, or the lane stops. */
@@ -85,7 +97,9 @@ static int advance(flexel_lanes *l)
     flexel_lanes_reach(l);
     for (size_t i = 0; i < FLEXEL_BLOCK; i++) {
         if (l->doing[i] == FLEXEL_RUNNING && conclude(l, &trial, i)) {
-            if (l->to[i] >= l->until[i]) {
+            if (touches(l, i)) {
+                l->doing[i] = FLEXEL_STOPPED;
+            } else if (l->to[i] >= l->until[i]) {
                 l->doing[i] = FLEXEL_PASSED;
             } else {
                 good[i] = -1;

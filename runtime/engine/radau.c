@@ -12,7 +12,7 @@ static const double SAFETY = 0.9, SMALLEST = 0.2, LARGEST = 8, KEPT = 1.2, HALF 
 static const double SLOW = 1e-3;        /* rate of convergence from which J is evaluated again */
 static const double LEAST_ERROR = 1e-2; /* of a step that the prediction of the next one uses at least */
 static const double SMALL = 1e-10;
-static const double MINOR = 1e-3; /* values of a degree of freedom, or rates, relative to the largest ones, that count as zero */
+static const double MINOR = 1e-4; /* values of a degree of freedom, or rates, relative to the largest ones, that count as zero */
 /* Distance of the solved coordinates from the integral of their rates that is allowed: a part of the tolerance, but no less. In
  * long steps the estimate of the error of y says little about the coordinates that depend on it. */
 static const double PART = 0.2, SHADOW = 2e-4;

@@ -80,6 +80,7 @@ class Abreasts:
                 "near": rules.NEAR,
                 "atol": run.largest_atol,
             },
+            run.touching.rows.tolist(),
         )
         self._roles = kinematics.roles
 
@@ -101,7 +102,7 @@ class Abreasts:
             wide[0, :, lane] = own[0]
         l.choice.loads[:, lane] = run.kinematics.loads.values(run.t)
         l.t[lane], l.h[lane], l.until[lane], l.reached[lane] = run.t, run.next_step, run.until, run.reached
-        l.allowed[lane] = WORSE * max(1.0, min(run.choices.best, SINGULAR))
+        l.allowed[lane] = WORSE * run.choices.share * max(1.0, min(run.choices.best, SINGULAR))
         l.sign[lane] = s.struct.sign
         l.taken[lane] = l.refused[lane] = l.tries[lane] = 0
         l.doing[lane] = RUNNING

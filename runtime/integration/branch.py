@@ -22,6 +22,9 @@ from flexel.structure.moment import Moment
 WORSE = 4.0  # reach of a choice, relative to that of the best one, beyond which the best one is taken; with 2 some
 # random chains at rtol 1e-3 gain digits, and a parallelogram loses its branch
 REFUSED = 2.0  # the same where a step was refused
+HARMLESS = (
+    0.5  # both, relative to that, if only Euler parameters change places: their other branch is far away
+)
 
 
 @dataclass
@@ -38,6 +41,8 @@ class Choices:
         Whether they may change.
     best : float
         Reach A* of the best choice, when last determined; zero before, infinite at a singular position.
+    share : float
+        Of the factors, from which a change is considered.
     changes : list of (float, tuple of str, tuple of str)
         Times [s], old and new names.
     """
@@ -47,10 +52,24 @@ class Choices:
     free: bool
     own: Kinematics = field(init=False)
     best: float = field(init=False, default=0.0)
+    share: float = field(init=False, default=1.0)
     changes: list[tuple[float, tuple[str, ...], tuple[str, ...]]] = field(init=False, default_factory=list)
 
     def __post_init__(self) -> None:
         self.own = self.kinematics
+        structure = self.kinematics.structure
+        turning = [name for node in structure.nodes if node.kind == "frame" for name in node.coordinates]
+        self._turning = frozenset(structure.find(name) for name in turning)
+        self._look()
+
+    def _look(self) -> None:
+        """Whether Euler parameters are chosen: less is then enough for a change that concerns only these."""
+        self.share = HARMLESS if self._turning.intersection(self.kinematics.roles.dofs.tolist()) else 1.0
+
+    def _harmless(self, other: Kinematics) -> bool:
+        """Whether another choice differs in Euler parameters alone."""
+        mine, others = (set(some.roles.dofs.tolist()) for some in (self.kinematics, other))
+        return mine ^ others <= self._turning
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -65,9 +84,10 @@ class Choices:
     def worse(self, near: Moment, present: float, factor: float) -> Kinematics | None:
         """The best choice at a position, if the reach of the present one exceeds its by a factor; else None."""
         other = self._best(near)
-        if other is None or not present > factor * self.best:
+        if other is None:
             return None
-        return other
+        share = self.share if self._harmless(other) else 1.0
+        return other if present > factor * share * self.best else None
 
     def poor(self, near: Moment, present: float) -> bool:
         """Whether the best choice at a position is better than the present one by the usual factor."""
@@ -90,6 +110,7 @@ class Choices:
         """Take another choice from now on."""
         before = self.names
         self.kinematics = other
+        self._look()
         self.changes.append((t, before, self.names))
 
     def values(self, near: Moment, z: Array) -> Array:

@@ -3,6 +3,7 @@
 The step control is that of SciPy (Hairer, Norsett and Wanner 1993), with three more limits: the shadow's own error,
 the sign of the determinant of the position matrix, which two solutions that meet in a fold have opposite, and the
 distance of the solved coordinates and rates from their shadows.  Where these fail, other degrees of freedom are chosen.
+A step ends where a contact begins or ends.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ from flexel.integration.dop853_steps import B, Steps
 from flexel.integration.flat import crossing_step, flat_position
 from flexel.integration.minimal import SHORTEST, MinimalRun
 from flexel.integration.outcome import Segment
+from flexel.integration.touching import TRIALS, Touching
 from flexel.structure.moment import Moment
 
 SAFETY, SMALLEST, LARGEST = 0.9, 0.2, 10.0  # factors of the step control
@@ -44,9 +46,11 @@ class Dop853(MinimalRun):
     spare : Steps, optional
         Those of another motion that has ended, with the same tolerances: used again if the degrees of freedom are
         the same.
+    touching : Touching
     """
 
     steps: Steps
+    touching: Touching
     spare: Steps | None = None
     _h = 0.0
     _tried = 0.0
@@ -57,6 +61,7 @@ class Dop853(MinimalRun):
     def restart(self) -> None:
         """Restart from the present position in the present degrees of freedom."""
         y = self.choices.values(self.now, self.z)
+        self.touching = Touching(self.kinematics.evaluation.work.tables)
         spare, self.spare = self.spare, None
         if spare is not None and spare.kinematics is self.kinematics:
             self.steps = spare
@@ -105,7 +110,7 @@ class Dop853(MinimalRun):
     def advance(self) -> str | None:
         """One accepted step."""
         end, rejected, careful, defect = self.stop, False, False, np.inf
-        first_order = self.steps.first_order
+        first_order, trials = self.steps.first_order, TRIALS
         wished = self._h
         while True:
             s, c = self.steps, self.steps.struct
@@ -122,7 +127,13 @@ class Dop853(MinimalRun):
                 trusted = self._trusted()
                 exact = trusted and self._exact(defect)
                 if exact and not (c.changed and (self._rough() or self._poor())):
-                    break
+                    trials -= 1
+                    until = self.touching.until(self.now, s.choice.work.e, h) if trials > 0 else 0.0
+                    if until <= shortest:
+                        break
+                    self._h = until
+                    self.counts["rejected"] += 1
+                    continue
                 if trusted and not exact:
                     defect = float(c.defect_v)
                 error = np.inf

@@ -42,12 +42,19 @@ OPTIONS: dict[str, frozenset[str]] = {  # by method; the remaining options apply
     SUNDIALS: _STEPS | {"max_order"},
 }
 RTOL, ATOL, IMPLICIT_RTOL = 1e-9, 1e-11, 1e-6
-PER_RADIAN, ORDER = 48.0, 5  # evaluations of Radau in a radian of what it follows, at rtol = 1e-6; and its order
-LINEAR = 17.0  # degrees of freedom for which the linear algebra of a step of Radau costs as much as one evaluation
+PER_RADIAN, ORDER = (
+    48.0,
+    5,
+)  # evaluations of Radau in a radian of what it follows, at rtol = 1e-6; and its order
+LINEAR = (
+    17.0  # degrees of freedom for which the linear algebra of a step of Radau costs as much as one evaluation
+)
 FEW = 300.0  # radians of the fastest mode that DOP853 follows in no time
 TRIAL = 0.05  # of the cost of DOP853, that a trial of Radau may take: motions may begin with a transient
 MOST = 20_000  # evaluations that it may take
-CHEAPER = 2.0  # times that Radau must need fewer evaluations: a motion may become more lively than at its start
+CHEAPER = (
+    2.0  # times that Radau must need fewer evaluations: a motion may become more lively than at its start
+)
 SOON = 200  # steps after which a motion is linearized if its start cannot be
 LEAST_ATOL = 1e-100  # a smaller value would overflow
 RADIUS, NEWTON, MAX_ORDER = 0.8, "full", 2
@@ -137,7 +144,9 @@ def automatic(system: Core, start: State, duration: float, options: Options) -> 
     if float(found.rates.max(initial=0.0)) * duration > FEW and smooth(system):
         some = _radau(system, start, found, duration, options, is_stiff)
         if some is not None:
-            return _because(RADAU, f"it takes fewer evaluations than {EXPLICIT} at rtol = {_rtol(some):g}; {why}", some)
+            return _because(
+                RADAU, f"it takes fewer evaluations than {EXPLICIT} at rtol = {_rtol(some):g}; {why}", some
+            )
     if is_stiff and not options.events:
         return _because(ALPHA, why, options)
     return _because(EXPLICIT, why, options)

@@ -122,7 +122,7 @@ class MinimalRun(DenseRun):
             If they may not change, and are no longer usable; names them.
         """
         choices = self.choices
-        if self.reached <= factor * max(1.0, min(choices.best, SINGULAR)):
+        if self.reached <= factor * choices.share * max(1.0, min(choices.best, SINGULAR)):
             return False  # the reach of any choice is about one or more
         other = choices.worse(self.now, self.reached, factor)
         if other is None:

@@ -134,9 +134,12 @@ class Watch:
         else:
             return  # accuracy asks for these steps
         self.found = f"{self.method} takes about {count:.2g} steps: {why}"
-        events = " and no events, which it does not locate" * bool(getattr(run, "events", ()))
+        other = RADAU if smooth(self.system) else ALPHA
+        events = " and no events, which it does not locate" * (
+            other == ALPHA and bool(getattr(run, "events", ()))
+        )
         warnings.warn(
-            f"simulate: {self.found}; an interrupt keeps what was computed, use method='{ALPHA}'{events}",
+            f"simulate: {self.found}; an interrupt keeps what was computed, use method='{other}'{events}",
             StiffWarning,
             stacklevel=outside(),
         )

@@ -91,7 +91,11 @@ def prepared(system: fx.System, start: fx.State) -> list[Methods]:
         c.tolerance, c.enlarged, c.end, c.longest = 1e-12, 1.0, 1.0, 1.0
         lib.flexel_radau_factorize(c, SHORT)
         implicit.look_again()
-        c.factorized, c.real_factorize, c.complex_factorize = SHORT, ffi.NULL, ffi.NULL  # the driver has no LAPACK
+        c.factorized, c.real_factorize, c.complex_factorize = (
+            SHORT,
+            ffi.NULL,
+            ffi.NULL,
+        )  # the driver has no LAPACK
         return explicit, implicit
 
     with ThreadPoolExecutor(THREADS) as pool:

@@ -64,7 +64,7 @@ def test_a_small_vibration_that_is_all_that_moves_is_not_stiff() -> None:
 
 @pytest.mark.parametrize(
     ("rates", "method"),
-    [((1.0, 1.0), "Radau"), ((1.0, 1.000001), "Radau"), ((1.0, -1.0), "DOP853")],
+    [((1.0, 1.0), "Radau"), ((1.0, 1.000001), "generalized-alpha"), ((1.0, -1.0), "DOP853")],
 )
 def test_a_motion_is_stiff_if_what_is_fast_rests(rates: tuple[float, float], method: str) -> None:
     """Masses that move together, with a vibration of 3e-11 of their motion, and against one another at 1.4e4 rad/s."""
