@@ -34,13 +34,13 @@ static int trusted(const flexel_lanes *l, const flexel_trial *trial, size_t i)
            l->reach[i] <= l->allowed[i];
 }
 
-<<<<<<< HEAD
 /* Whether a trial may have been refused because a stage is close to a flat position. */
 static int suspicious(const flexel_lanes *l, const flexel_trial *trial, size_t i)
 {
     const double allowed = l->atol + l->steps->rtol * trial->fastest[i];
     return trial->changed[i] || !(trial->defect_v[i] <= l->exact * (trial->error_v[i] + allowed));
-=======
+}
+
 /* Whether a contact begins or ends in a step. */
 static int touches(const flexel_lanes *l, size_t i)
 {
@@ -50,7 +50,6 @@ static int touches(const flexel_lanes *l, size_t i)
             return 1;
     }
     return 0;
->>>>>>> main
 }
 
 /* What becomes of a trial in one lane: its step is good, or tried again with another length, or the lane stops. */

@@ -52,3 +52,15 @@ def test_parallelograms_in_series_keep_one_angle_through_flat_positions(
         for i in range(loops + 1):
             assert motion[f"A{i}.x"] - i == pytest.approx(np.cos(angle), abs=5e-3), (speed, i)
             assert motion[f"A{i}.y"] == pytest.approx(np.sin(angle), abs=5e-3), (speed, i)
+
+
+@pytest.mark.parametrize("loops", [2, 3])
+def test_lanes_pass_flat_positions_as_single_motions_do(loops: int) -> None:
+    system, speeds, times = series(loops), np.linspace(0.3, 2.0, 16), np.linspace(0, DURATION, 11)
+    many = system.simulate_many(
+        DURATION, initial={"A0.x'": speeds}, times=times, outputs=["A0.x"], method="DOP853", progress=False
+    )
+    assert not np.any(many.failed)
+    for row, speed in enumerate(speeds):
+        angle = exact(loops, float(speed), times)
+        assert many["A0.x"][row] == pytest.approx(np.cos(angle), abs=5e-3), speed
