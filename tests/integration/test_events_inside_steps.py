@@ -53,7 +53,7 @@ def test_every_passage_of_a_light_gate_is_seen(method: str, width: float) -> Non
 
 
 @pytest.mark.parametrize("height", np.linspace(0.5, 2.0, 8))
-@pytest.mark.parametrize("method", ["generalized-alpha", "DOP853", "auto"])
+@pytest.mark.parametrize("method", ["generalized-alpha", "DOP853", "Radau", "sundials", "auto"])
 def test_no_ball_falls_through_a_thin_bar(method: str, height: float) -> None:
     """A ball on a vertical guide is thrown back by a bar of 10 mm; a contact cannot be passed."""
     m = fx.Model(gravity=(0, -9.81))
