@@ -41,7 +41,7 @@ class ContactWatch:
         """Whether a contact may have been stepped over in a step of length h [s]."""
         gap, rate = self._now()
         first, last = self._rate - self._bend * h / 2, rate + self._bend * h / 2
-        turned = (self._gap > 0) & (first < 0) & (rate > 0)
+        turned = (self._gap > 0) & (first < 0) & (rate >= 0)
         if not turned.any():
             return False
         lowest = lowest_bound((self._gap[turned], gap[turned]), (first[turned], last[turned]), h)
@@ -57,7 +57,7 @@ def lowest_bound(gaps: tuple[Array, Array], rates: tuple[Array, Array], h: float
     Parameters
     ----------
     gaps, rates : tuple of ndarray (n,)
-        At the beginning and at the end of the step; the rates are negative and positive [m, m/s].
+        At the beginning and at the end of the step; the rates are negative, and zero or positive [m, m/s].
     h : float
         Length of the step [s].
     """

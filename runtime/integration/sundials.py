@@ -15,6 +15,7 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError, FlexelError
+from flexel.integration.contact_watch import ContactWatch
 from flexel.integration.steps import Control, ImplicitRun
 from flexel.mechanics import dynamics
 from flexel.mechanics.balance import Balance, Saddle
@@ -162,7 +163,8 @@ class Sundials(ImplicitRun):
         self.equations = equations = DifferentialAlgebraic(system, start, PULL / duration)
         super().__init__(equations, start, times)
         self._balance = equations.restart(start)
-        self._steps = 0
+        self._watch = ContactWatch(equations.work, control.tolerance * equations.length)
+        self._steps = self._rejected = 0
         nc = equations.ends[2:4]
         self._solver = IDA(
             equations.residual,
@@ -214,7 +216,7 @@ class Sundials(ImplicitRun):
         e = self.equations
         return {
             "steps": self._steps,
-            "rejected": 0,
+            "rejected": self._rejected,
             "evaluations": e.evaluations,
             "iterations": e.iterations,
             "factorizations": e.factorizations,
@@ -222,8 +224,29 @@ class Sundials(ImplicitRun):
         }
 
     def advance(self) -> None:
-        """One step of IDA."""
-        equations, old, until = self.equations, self.t, min(self.until, self.stop)
+        """One step of IDA, taken again in halves where a contact may have been stepped over."""
+        before, old, until = self._balance, self.t, min(self.until, self.stop)
+        if self._watch.any:
+            self._watch.note(self.balance().a)
+        b = self._solved(until)
+        while self._watch.any and self._watch.skipped(b.t - old):
+            self._rejected += 1
+            until = old + (b.t - old) / 2
+            if until - old < self.shortest:
+                raise self.failure()
+            self._restart(before.v, before.z)
+            b = self._solved(until)
+        self._balance = b
+        self.equations.near = b.e
+        self.ledger.look()
+        self.ledger.add(b.t - old)
+        self._steps += 1
+        if b.t >= self.until:
+            self.keep()
+
+    def _solved(self, until: float) -> Balance:
+        """The balance at the end of a step of IDA from the present one, at most to a time."""
+        equations, old = self.equations, self.t
         if not self._started:
             self._solver.init_step(old, *equations.start_values(self._balance.mu))
             self._started = True
@@ -232,12 +255,4 @@ class Sundials(ImplicitRun):
         equations.check()
         if not found.success or t <= old:
             raise self.failure()
-        y, yp = np.ravel(found.y), np.ravel(found.yp)
-        b = equations.at(t, y, yp)
-        equations.near = b.e
-        self._balance = b
-        self.ledger.look()
-        self.ledger.add(t - old)
-        self._steps += 1
-        if t >= self.until:
-            self.keep()
+        return equations.at(t, np.ravel(found.y), np.ravel(found.yp))
