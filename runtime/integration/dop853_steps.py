@@ -11,6 +11,7 @@ from flexel.base.arrays import Array
 from flexel.engine.choice import Choice
 from flexel.engine.structs import Struct
 from flexel.generated._kernels import ffi, lib
+from flexel.integration.inputs import give
 from flexel.integration.knots import Knots
 from flexel.mechanics.kinematics import Kinematics
 from flexel.structure.moment import Moment
@@ -79,23 +80,9 @@ class Steps(Struct):
         """Return to that order."""
         lib.flexel_matrix_reset(self.choice.P)
 
-    def given(self, t: float, h: float, stages: slice) -> None:
-        """The prescribed motions and loads at some stages of a step."""
-        motions, loads = self.kinematics.roles.motions, self.kinematics.loads
-        split = self.choice.motion.size
-        if loads.any and loads.steady:
-            self._given[stages, split:] = loads.values(t)
-        varying = loads.any and not loads.steady
-        for i in range(*stages.indices(13)) if motions or varying else ():
-            time = self._knots.inside(t + TIMES[i] * h)
-            if motions:
-                self._given[i, :split] = self.kinematics.roles.motion(time).ravel()
-            if varying:
-                self._given[i, split:] = loads.values(time)
-
     def begin(self, t: float) -> None:
         """Rates at the start."""
-        self.given(t, 0.0, slice(0, 1))
+        give(self.kinematics, self._knots, self._given[:1], [t])
         self.kinematics.check(lib.flexel_dop853_begin(*self._structs, t), t, self.choice)
 
     def step(self, t: float, h: float, careful: bool) -> int:
@@ -108,7 +95,8 @@ class Steps(Struct):
         self.struct.determinant = self._determinant if careful else ffi.NULL
         if careful:
             self.begin(t)
-        self.given(t, h, slice(1, 13))
+        if self._given.size:
+            give(self.kinematics, self._knots, self._given[1:], [t + part * h for part in TIMES[1:]])
         return int(lib.flexel_dop853_step(*self._structs, t, h))
 
     @property
