@@ -8,9 +8,12 @@ VENV_BENCH ?= .venv-bench
 VENV_OLDEST ?= .venv-oldest
 OUT ?= out
 BENCH ?=
+MARKS ?= not campaign and not ci
 PYTEST ?= -n 2 --dist loadfile --no-loadscope-reorder --durations=10
 QUOTED ?= bicycle warping cardan cylinder slider-crank flexures rope contact hoist vehicle motorcycle tolerances stability-map
 TYPED := build/typed
+# The elements of the bicycle; `make check` derives all, `flexel verify` checks all.
+DEMONSTRATED := beam3 body hinge norm wheel
 
 # Kernels and engine with every access to memory checked: the tests that call most of them, published systems.
 SANITIZED := build/sanitized
@@ -19,14 +22,16 @@ SANITIZE_SYSTEMS ?= bicycle vehicle contact
 SANITIZER := address,undefined
 SANITIZE_JSON ?= $(OUT)/report/sanitize.json
 
-# Models of the property campaign in `make report`.
+# What `make report` runs before it writes the page, and the models of the property campaign.
+PARTS ?= bench verify reproduce campaign sanitize
 MODELS ?= 200
 SEED ?= 1
+REPORT := tools/write_report.py --models $(MODELS) --seed $(SEED) --from $(OUT)/report --out $(OUT)/report.html
 
 # What depends on other packages: files, pictures, frames, sparse matrices, integrators, worker processes.
 OLDEST_TREE := build/oldest
 OLDEST ?= -n 2 --durations=5 -m "not slow and not campaign" tests/base tests/engine tests/results tests/statics tests/linear \
-  tests/mechanics tests/pictures tests/sweeps tests/integration tests/commands/test_cli_run.py
+  tests/mechanics tests/view tests/sweeps tests/integration tests/cli/test_cli_run.py
 
 PIP := $(VENV)/bin/pip install --quiet --disable-pip-version-check
 SETUP := pyproject.toml setup.py
@@ -36,16 +41,17 @@ WARNINGS := -std=c11 -O2 -fopenmp-simd -DFLEXEL_NO_CLONES -Wall -Wextra -Wpedant
 .PHONY: demo test test-all test-oldest sanitize bench report docs lint types check strict wheel venv clean prerequisites
 
 demo: $(VENV)/installed-plot
-	$(VENV)/bin/flexel derive
+	$(VENV)/bin/flexel derive $(DEMONSTRATED)
 	@$(MAKE) --no-print-directory $(VENV)/installed
-	$(VENV)/bin/flexel verify
+	$(VENV)/bin/flexel verify $(DEMONSTRATED)
 	$(VENV)/bin/flexel reproduce bicycle --out $(OUT)/bicycle
 	@echo; echo "The pictures are in $(abspath $(OUT))/bicycle:"; ls $(OUT)/bicycle
 
 # The tests of the viewer drive Chromium and Firefox (Debian: chromium; firefox-esr and xvfb). Where they are missing, these
-# tests are skipped, and the last lines say so.
+# tests are skipped, and the last lines say so. What is marked `ci` takes as much time as all the rest; .ci/run has
+# MARKS="not campaign".
 test: $(VENV)/installed-test
-	$(VENV)/bin/python -m pytest -m "not campaign" $(PYTEST)
+	$(VENV)/bin/python -m pytest -m "$(MARKS)" $(PYTEST)
 
 # With the long campaigns; PYTEST="-n 2 -m campaign -k adding" runs a sample of them alone.
 test-all: $(VENV)/installed-test
@@ -53,7 +59,7 @@ test-all: $(VENV)/installed-test
 
 # With the oldest versions of all packages that pyproject.toml admits; OLDEST="-n 2 -m 'not campaign'" runs all tests.
 test-oldest: $(VENV_OLDEST)/needed
-	FLEXEL_CFLAGS="-O1 -DFLEXEL_NO_CLONES" $(VENV_OLDEST)/bin/python setup.py --quiet build --build-base $(OLDEST_TREE) \
+	FLEXEL_CFLAGS="-O1" $(VENV_OLDEST)/bin/python setup.py --quiet build --build-base $(OLDEST_TREE) \
 	  --build-lib $(OLDEST_TREE)/lib
 	$(VENV_OLDEST)/bin/python -c 'import sysconfig as s; open(s.get_path("purelib") + "/flexel.pth", "w").write("$(abspath \
 	  $(OLDEST_TREE))/lib\n")'
@@ -63,9 +69,9 @@ test-oldest: $(VENV_OLDEST)/needed
 # Where memory is read or written outside what was claimed, or an operation has no meaning in C, the program stops and says
 # where. The compiled files are in a tree of their own. Python's own memory is never given back: leaks are not looked for
 # here, but in a program without Python (tests/engine/test_sanitizers.py), which also looks for races of threads. What ran
-# and what was found is left in a file for `flexel report`.
+# and what was found is left in a file for `make report`.
 sanitize: $(VENV)/installed-test
-	FLEXEL_CFLAGS="-O1 -g1 -fno-omit-frame-pointer -DFLEXEL_NO_CLONES -fsanitize=$(SANITIZER) -fno-sanitize-recover=all" \
+	FLEXEL_CFLAGS="-O1 -g1 -fno-omit-frame-pointer -fsanitize=$(SANITIZER) -fno-sanitize-recover=all" \
 	  LDFLAGS="-fsanitize=$(SANITIZER)" $(VENV)/bin/python setup.py --quiet build --build-base $(SANITIZED) \
 	  --build-lib $(SANITIZED)/lib
 	@{ echo '$(VENV)/bin/python -m pytest -p no:xdist --durations=3 tests/engine/test_sanitizers.py'; \
@@ -79,11 +85,11 @@ sanitize: $(VENV)/installed-test
 	  UBSAN_OPTIONS=print_stacktrace=1:log_path=$(abspath $(SANITIZED))/found
 
 # One page about all that was checked, from a clean clone; out/report.html. It runs verify, all systems, a few rows of the
-# benchmarks beside the other programs, a campaign of random models, and the sanitizers.
-report: $(VENV)/installed-test $(VENV)/installed-plot $(VENV_BENCH)/installed-peers
-	$(VENV_BENCH)/bin/flexel report --run bench --from $(OUT)/report --out $(OUT)/report.html; status=$$?; \
-	  $(VENV)/bin/flexel report --run verify reproduce campaign sanitize --models $(MODELS) --seed $(SEED) \
-	  --from $(OUT)/report --out $(OUT)/report.html && exit $$status
+# benchmarks beside the other programs, a campaign of random models, and the sanitizers; PARTS="verify reproduce" runs
+# these alone, and PARTS= writes the page from the files of earlier runs.
+report: $(VENV)/installed-test $(VENV)/installed-plot $(if $(filter bench,$(PARTS)),$(VENV_BENCH)/installed-peers)
+	status=0; $(if $(filter bench,$(PARTS)),$(VENV_BENCH)/bin/python $(REPORT) --run bench || status=$$?;) \
+	  $(VENV)/bin/python $(REPORT) $(if $(filter-out bench,$(PARTS)),--run $(filter-out bench,$(PARTS))) && exit $$status
 
 # What flexel costs, beside the other programs that can be installed; BENCH="cables_56 chain_40" measures these rows alone.
 bench: $(VENV_BENCH)/installed-peers
@@ -91,9 +97,9 @@ bench: $(VENV_BENCH)/installed-peers
 	$(VENV_BENCH)/bin/flexel bench $(BENCH) --json $(OUT)/bench.json --plot $(OUT)/bench.png
 
 # Pages of docs/ and those that docs/pages.py writes about elements, laws and public names; a warning is an error.
-# The numbers that pages quote are computed again, of all systems but those that take a minute (see tests/test_quoted.py).
+# The numbers that pages quote are computed again, of all systems but those that take a minute, which the tests compute.
 docs: $(VENV)/installed-docs $(VENV)/installed-plot
-	$(VENV)/bin/python docs/quoted.py --check --run $(QUOTED)
+	$(VENV)/bin/python tools/quoted.py --check --run $(QUOTED)
 	$(VENV)/bin/python -m sphinx -W --keep-going -q docs docs/_build
 	@echo "The documentation is $(abspath docs)/_build/index.html"
 
@@ -101,11 +107,15 @@ lint: $(VENV_LINT)/installed
 	$(VENV_LINT)/bin/ruff check .
 	$(VENV_LINT)/bin/ruff format --check .
 
-# mypy cannot follow an editable install: it reads the package as a normal install lays it out.
+# mypy cannot follow an editable install: it reads the package as a normal install lays it out. Then the scripts of tools/,
+# which import it as users do, and the types of results in a user's program.
 types: $(VENV_LINT)/installed
 	rm -rf $(TYPED)
 	$(VENV_LINT)/bin/python setup.py --quiet build_py --build-lib $(TYPED)
 	cd $(TYPED) && MYPYPATH=. $(abspath $(VENV_LINT))/bin/mypy --config-file $(CURDIR)/pyproject.toml --strict -p flexel
+	cd $(TYPED) && MYPYPATH=.:$(CURDIR)/tools $(abspath $(VENV_LINT))/bin/mypy --config-file $(CURDIR)/pyproject.toml --strict \
+	  -p report $(patsubst tools/%.py,-m %,$(wildcard tools/*.py))
+	$(VENV_LINT)/bin/python .ci/users_types.py $(TYPED)
 
 check: $(VENV)/installed
 	$(VENV)/bin/flexel derive --check
@@ -115,9 +125,10 @@ strict:
 	printf '%s\n' generated/*.c runtime/engine/*.c | xargs -P 2 -n 1 $(CC) $(WARNINGS) -o /dev/null -c
 	printf '%s\n' generated/*.c | xargs -P 2 -n 1 $(CC) $(WARNINGS) -Dreal='double complex' -fsyntax-only
 
+# For every processor, where a build from source is for this one only.
 wheel: $(VENV)/bin/python
 	rm -rf build dist
-	$(VENV)/bin/pip wheel --quiet --no-deps --wheel-dir dist .
+	FLEXEL_PORTABLE=1 $(VENV)/bin/pip wheel --quiet --no-deps --wheel-dir dist .
 	@ls dist
 
 venv: $(VENV)/installed-test
@@ -139,7 +150,7 @@ prerequisites:
 $(VENV)/bin/python $(VENV_LINT)/bin/python $(VENV_BENCH)/bin/python $(VENV_OLDEST)/bin/python: %/bin/python: | prerequisites
 	$(PYTHON) -m venv --clear $*
 
-# An editable install: compiles the kernels (a minute or two), and does so again when one of them has changed.
+# An editable install: compiles for this processor what no environment has compiled before (derive/object_files.py).
 $(VENV)/installed: $(SOURCES) | $(VENV)/bin/python
 	$(PIP) --editable .
 	@touch $@
@@ -167,7 +178,7 @@ $(VENV_OLDEST)/needed: pyproject.toml .ci/oldest.py | $(VENV_OLDEST)/bin/python
 # The tools and what they must see, without flexel itself: nothing to compile.
 $(VENV_LINT)/installed: pyproject.toml | $(VENV_LINT)/bin/python
 	$(PYTHON) -c 'import tomllib; t = tomllib.load(open("pyproject.toml", "rb")); p = t["project"]; \
-	  extras = p["optional-dependencies"]; needs = p["dependencies"] + extras["plot"] + extras["lint"]; \
+	  extras = p["optional-dependencies"]; needs = p["dependencies"] + extras["plot"] + extras["xarray"] + extras["lint"]; \
 	  print(*needs, *t["build-system"]["requires"], sep="\n")' > $(VENV_LINT)/needs.txt
 	$(VENV_LINT)/bin/pip install --quiet --disable-pip-version-check --requirement $(VENV_LINT)/needs.txt
 	@touch $@

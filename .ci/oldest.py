@@ -13,7 +13,7 @@ BESIDE = ["pyparsing<3.3"]  # newer ones warn of what Matplotlib 3.10.0 calls, a
 
 
 def oldest(project: dict[str, dict[str, list[str]]], requirements: list[str]) -> Iterator[str]:
-    """The lower bound of each requirement as the only version, those of extras of the project itself included."""
+    """Yield the lower bound of each requirement as the only version, including the extras of the project itself."""
     for requirement in requirements:
         own = re.fullmatch(r"flexel\[(.*)\]", requirement)
         if own:

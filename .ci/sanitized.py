@@ -32,7 +32,7 @@ def run(command: str, environment: dict[str, str]) -> dict[str, Any]:
 
 def main(file: str, logs: str, *assignments: str) -> int:
     """Run all, and write the file."""
-    environment = dict(z.split("=", 1) for z in assignments)
+    environment = dict(assignment.split("=", 1) for assignment in assignments)
     commands = [line.strip() for line in sys.stdin if line.strip()]
     for old in Path(logs).parent.glob(f"{Path(logs).name}.*"):
         old.unlink()
@@ -42,14 +42,14 @@ def main(file: str, logs: str, *assignments: str) -> int:
         not_run = {"command": command.removeprefix("+"), "ok": None, "seconds": 0.0}
         steps.append(not_run if stopped else run(command, environment))
     found = [
-        z.read_text(encoding="utf-8", errors="replace")
-        for z in sorted(Path(logs).parent.glob(f"{Path(logs).name}.*"))
+        path.read_text(encoding="utf-8", errors="replace")
+        for path in sorted(Path(logs).parent.glob(f"{Path(logs).name}.*"))
     ]
     print(*found, sep="\n")
     Path(file).parent.mkdir(parents=True, exist_ok=True)
     content = {"sanitizers": SANITIZERS, "steps": steps, "found": found}
     Path(file).write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
-    return int(bool(found) or not all(z["ok"] for z in steps))
+    return int(bool(found) or not all(step["ok"] for step in steps))
 
 
 if __name__ == "__main__":

@@ -1,1 +1,1 @@
-"""What flexel costs, measured: the rows of `flexel bench`, in `flexel.benchmarks.table`, one module for each family."""
+"""The measured costs of flexel: the rows of `flexel bench` are in `flexel.benchmarks.table`, one module per family."""

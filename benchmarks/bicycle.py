@@ -13,30 +13,30 @@ from flexel.examples import bicycle_data as data
 from flexel.examples.bicycle import bicycle, lean_steer, rolling
 
 SPEEDS = np.linspace(0.0, 10.0, 100)  # of the root loci [m/s]
-SMALL = 1e-5  # roll rate at which the linear equations hold to 1e-10 [rad/s]
+SMALL = 1e-5  # roll rate at which the linear equations are accurate to 1e-10 [rad/s]
 
 
 def published(speed: float) -> tuple[Array, Array, Array]:
-    """M, C and K (2, 2) of lean and steer from the published matrices."""
-    M, C1, K0, K2 = (np.array(z) for z in (data.M, data.C1, data.K0, data.K2))
+    """Return M, C and K (2, 2) of lean and steer from the published matrices."""
+    M, C1, K0, K2 = (np.array(matrix) for matrix in (data.M, data.C1, data.K0, data.K2))
     return M, speed * C1, data.BENCHMARK["g"] * K0 + speed**2 * K2
 
 
 def build() -> Work:
-    """Declare and build the model, the kernels being compiled."""
+    """Time the declaration and build of the model, with compiled kernels."""
     return Work(bicycle)
 
 
 def right_hand_side() -> Work:
-    """`System.rhs` at two states in turn, so that no answer is remembered."""
+    """Time `System.rhs` at two alternating states, so that no result is remembered."""
     system = bicycle()
     start = rolling(system, data.M1_SPEED, SMALL)
     y = np.concatenate([start.q, start.qd])
     points = y, y + 1e-4
-    lateral = [system.dynamic.index(z) for z in ("lean.angle", "steer.angle")]
+    lateral = [system.dynamic.index(name) for name in ("lean.angle", "steer.angle")]
 
     def run() -> list[Array]:
-        return [system.rhs(0.0, z) for z in points]
+        return [system.rhs(0.0, point) for point in points]
 
     def error(rates: list[Array]) -> float:
         return accelerations_error(rates[0][start.q.size :][lateral], start.qd[lateral])
@@ -45,14 +45,14 @@ def right_hand_side() -> Work:
 
 
 def accelerations_error(found: Array, rates: Array) -> float:
-    """Error of the accelerations (2,) of lean and steer, upright at the speed of M1 with these rates (2,)."""
+    """Return the error of the accelerations (2,) of lean and steer, upright at the speed of M1 with rates (2,)."""
     M, C, _ = published(data.M1_SPEED)
     expected = -np.linalg.solve(M, C @ rates)
     return float(np.abs(found - expected).max() / np.abs(expected).max())
 
 
 def manoeuvre() -> Work:
-    """Manoeuvre M1 of the IFToMM benchmark, 5 s, result object included."""
+    """Time manoeuvre M1 of the IFToMM benchmark, 5 s, result object included."""
     system = bicycle()
     start = rolling(system, data.M1_SPEED, data.ROLL_RATE)
 
@@ -63,7 +63,7 @@ def manoeuvre() -> Work:
 
 
 def loci() -> Work:
-    """Steady motion, M, C, K and eigenvalues at 100 speeds."""
+    """Time steady motion, M, C, K and eigenvalues at 100 speeds."""
     system = bicycle()
 
     def run() -> list[ComplexArray]:
@@ -73,18 +73,18 @@ def loci() -> Work:
 
 
 def worst(found: Sequence[ComplexArray]) -> float:
-    """Largest relative error of the eigenvalues at `SPEEDS`."""
+    """Return the largest relative error of the eigenvalues at `SPEEDS`."""
     return max(apart(w, exact(float(v))) for w, v in zip(found, SPEEDS, strict=True))
 
 
 def exact(speed: float) -> ComplexArray:
-    """Eigenvalues (4,) of the published equations [1/s]."""
+    """Return the eigenvalues (4,) of the published equations [1/s]."""
     M, C, K = published(speed)
     upper = np.hstack([np.zeros((2, 2)), np.eye(2)])
     return np.linalg.eigvals(np.vstack([upper, -np.linalg.solve(M, np.hstack([K, C]))])).astype(complex)
 
 
 def apart(found: ComplexArray, expected: ComplexArray) -> float:
-    """Largest distance of an expected eigenvalue from the nearest found one, over the largest."""
+    """Return the largest distance of an expected eigenvalue from the nearest found one, over the largest."""
     distance = np.abs(found[:, None] - expected).min(axis=0)
     return float(distance.max() / np.abs(expected).max())

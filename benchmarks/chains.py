@@ -1,6 +1,6 @@
 """Chains of rigid rods on hinges in space, hanging from one end or from both: the right-hand side.
 
-All hinges turn about y, so the chain moves in a plane, where its equations are known in closed form.
+All hinges turn about y, so the chain moves in a plane, and its equations are known in closed form.
 """
 
 from __future__ import annotations
@@ -17,18 +17,18 @@ from flexel.benchmarks.timing import Work
 LENGTH, MASS = 0.1, 0.1  # of a rod [m], [kg]
 INERTIA = (1e-5, 8e-5, 8e-5)  # about its centre [kg m²]
 GRAVITY = 9.81
-SAG = 0.8  # direction of the first rod of a chain that is held at both ends, below the horizontal [rad]
+SAG = 0.8  # direction of the first rod of a chain held at both ends, below the horizontal [rad]
 
 
 def drawn(n: int, closed: bool) -> Array:
-    """Directions (n,) below the horizontal [rad] in which the rods are drawn; hinges count their angles from there."""
+    """Return the directions (n,) below the horizontal [rad] in which the rods are drawn; hinge angles start there."""
     return SAG * (1 - (2 * np.arange(n) + 1) / n) if closed else np.zeros(n)
 
 
 def chain(n: int, closed: bool = False) -> fx.System:
-    """A chain of n rods along x, or sagging in an arc between two hinges.
+    """Build a chain of n rods along x, or sagging in an arc between two hinges.
 
-    The last point of the closed chain is held in x and z only. That is a hinge without what is redundant: the n
+    The last point of the closed chain is held in x and z only. This is a hinge without redundant conditions: the n
     hinges already keep the chain in its plane and the axis at its end parallel to theirs.
     """
     angles = drawn(n, closed)
@@ -50,7 +50,7 @@ def chain(n: int, closed: bool = False) -> fx.System:
 
 @dataclass(frozen=True)
 class Moving:
-    """A bent chain in motion: angles [rad] and rates [rad/s] (n,) of its hinges, in closed form what it does."""
+    """A bent chain in motion: angles [rad] and rates [rad/s] (n,) of its hinges, and its motion in closed form."""
 
     angles: Array
     rates: Array
@@ -62,7 +62,7 @@ class Moving:
         return drawn(self.angles.size, self.closed) + np.cumsum(self.angles)
 
     def error(self, found: Array, some: Sequence[int] | None = None) -> float:
-        """Largest difference of accelerations of some hinges (default: all) over the largest of them."""
+        """Return the largest difference of accelerations of some hinges (default: all) over the largest of them."""
         expected = accelerations(self.directions, np.cumsum(self.rates), self.closed)
         if some is not None:
             expected = expected[some]
@@ -70,12 +70,12 @@ class Moving:
 
 
 def dependent(n: int, closed: bool) -> list[int]:
-    """Hinges that are no independent coordinates: with the last point the corners of a triangle."""
+    """Return the dependent hinges: with the last point, they are the corners of a triangle."""
     return [0, n // 2] if closed else []
 
 
 def moving(n: int, closed: bool = False) -> Moving:
-    """A state of the chain: random, but for the hinges that follow from the closure."""
+    """Return a state of the chain: random, except for the hinges that follow from the closure."""
     rng, rest = np.random.default_rng(1), dependent(n, closed)
     found = Moving(0.01 * rng.standard_normal(n), 0.5 * rng.standard_normal(n), closed)
     if not closed:
@@ -91,29 +91,31 @@ def moving(n: int, closed: bool = False) -> Moving:
 
 
 def tip(theta: Array) -> tuple[Array, Array]:
-    """Place (2,) [m] of the last point in the plane, and its derivatives (2, n) by the angles of the hinges."""
+    """Return the position (2,) [m] of the last point in the plane, and its derivatives (2, n) by the hinge angles."""
     u, across = np.array([np.cos(theta), -np.sin(theta)]), np.array([-np.sin(theta), -np.cos(theta)])
     return LENGTH * u.sum(axis=1), LENGTH * np.cumsum(across[:, ::-1], axis=1)[:, ::-1]
 
 
 def right_hand_side(n: int, closed: bool = False) -> Work:
-    """`System.rhs` of a bent chain in motion, at two states in turn."""
+    """Time `System.rhs` of a bent chain in motion, at two alternating states."""
     system, state = chain(n, closed), moving(n, closed)
     hinges = [f"h{i}.angle" for i in range(1, n + 1)]
-    some = [hinges.index(z) for z in system.dynamic]
-    angles, rates = (dict(zip(system.dynamic, z[some], strict=True)) for z in (state.angles, state.rates))
+    some = [hinges.index(name) for name in system.dynamic]
+    angles, rates = (
+        dict(zip(system.dynamic, values[some], strict=True)) for values in (state.angles, state.rates)
+    )
     start = system.state_at(angles, rates)
     y = np.concatenate([start.q, start.qd])
     points = y, y + 1e-6
 
     def run() -> list[Array]:
-        return [system.rhs(0.0, z) for z in points]
+        return [system.rhs(0.0, point) for point in points]
 
     return Work(run, lambda rates: state.error(rates[0][start.q.size :], some), count=2)
 
 
 def accelerations(theta: Array, omega: Array, closed: bool) -> Array:
-    """Accelerations (n,) [rad/s²] of the hinges of the planar chain, from directions and angular rates of its rods.
+    """Return accelerations (n,) [rad/s²] of the hinges of the planar chain, from directions and angular rates of rods.
 
     The centre of rod i is at the sum of arm[i, j] u(j) over the rods j, where u is the direction of a rod.
     """

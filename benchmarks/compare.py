@@ -1,4 +1,4 @@
-"""A row measured beside its peers: all programs that are installed, in turn, in one process."""
+"""Measures a row with its peers: all installed programs, in turn, in one process."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ Failed = Callable[[str, Exception], None]
 
 @dataclass
 class Figure:
-    """What one program needs for a row.
+    """The times of one program for a row.
 
     Attributes
     ----------
@@ -29,7 +29,7 @@ class Figure:
     sizes : tuple of int
         Of a row that scales.
     timings : list of Timing or None
-        One for each size, or a single one; None: the program failed, or cannot do that size.
+        One for each size, or a single one; None: the program failed, or cannot run that size.
     """
 
     unit: str
@@ -44,7 +44,7 @@ class Figure:
     @property
     def measured(self) -> bool:
         """Whether it has a time for any size."""
-        return any(z is not None for z in self.timings)
+        return any(timing is not None for timing in self.timings)
 
     @property
     def value(self) -> float | None:
@@ -53,27 +53,27 @@ class Figure:
 
     @property
     def error(self) -> float | None:
-        """Accuracy, of a row that scales the worst of all sizes; None without a reference, or if it is no number."""
-        found = [z.error for z in self.timings if z is not None]
-        numbers = [z for z in found if z is not None and isfinite(z)]
+        """Accuracy, for a row with sizes the worst of all; None without a reference, or if it is not a number."""
+        found = [timing.error for timing in self.timings if timing is not None]
+        numbers = [error for error in found if error is not None and isfinite(error)]
         return max(numbers) if numbers and len(numbers) == len(found) else None
 
     @property
     def values(self) -> list[float | None]:
         """Shortest time for each size [unit]."""
-        return [self._shortest(z) for z in self.timings]
+        return [self._shortest(timing) for timing in self.timings]
 
     @property
     def exponent(self) -> float | None:
-        """Power of the size that the time grows with: least squares on logarithms; None for fewer than two times."""
-        known = [(n, z) for n, z in zip(self.sizes, self.values, strict=False) if z is not None]
+        """Power of the size with which the time grows: least squares on logarithms; None for fewer than two times."""
+        known = [(n, value) for n, value in zip(self.sizes, self.values, strict=False) if value is not None]
         if len(known) < 2:
             return None
         n, times = np.log(np.array(known)).T
         return float(np.polyfit(n, times, 1)[0])
 
     def to_dict(self) -> dict[str, Any]:
-        """Value and error, for JSON; of a row that scales, the values and the exponent too."""
+        """Return value and error, for JSON; for a row with sizes also the values and the exponent."""
         found: dict[str, Any] = {"value": self.value, "error": self.error}
         return found | {"values": self.values, "exponent": self.exponent} if self.sizes else found
 
@@ -91,15 +91,15 @@ class Comparison:
 
     @property
     def installed(self) -> dict[str, Figure]:
-        """The peers that are."""
+        """The installed peers."""
         return {name: figure for name, figure in self.peers.items() if figure is not None}
 
-    def beside(self) -> dict[str, Figure]:
-        """The same by names that tell the row too."""
-        return {f"{self.row.name} beside {name}": figure for name, figure in self.installed.items()}
+    def by_row_and_name(self) -> dict[str, Figure]:
+        """Return these by names that include the row."""
+        return {f"{self.row.name} with {name}": figure for name, figure in self.installed.items()}
 
     def to_dict(self) -> dict[str, Any]:
-        """What is written as JSON: value, reach and aim in `unit`."""
+        """Return the JSON form: value, reach and aim in `unit`."""
         row = self.row
         own = self.own.to_dict()
         found = {
@@ -111,7 +111,9 @@ class Comparison:
             "aim": row.aim,
             "accuracy": row.accuracy,
             "within": row.within,
-            "peers": {name: None if z is None else z.to_dict() for name, z in self.peers.items()},
+            "peers": {
+                name: None if figure is None else figure.to_dict() for name, figure in self.peers.items()
+            },
         }
         return found | {"sizes": list(row.sizes)} | own if row.sizes else found
 
@@ -122,7 +124,7 @@ def compare(row: Row, failed: Failed) -> Comparison:
     Parameters
     ----------
     failed : function
-        Called with the name of a peer and its error; the row is measured without it. What flexel raises is passed on.
+        Called with the name of a peer and its error; the row is measured without this peer. flexel's errors are raised.
     """
     programs = beside(row.name)
     installed = [peer for peer in programs if peer.installed]
@@ -130,33 +132,40 @@ def compare(row: Row, failed: Failed) -> Comparison:
     broken: set[str] = set()
 
     def fails(name: str, error: Exception) -> None:
-        broken.add(name)  # and would be again with the next size
+        broken.add(name)  # and would fail again with the next size
         failed(name, error)
 
     for size in row.sizes or (None,):
-        able = {z.name: z.rows[row.name] for z in installed if z.can(row.name, size) and z.name not in broken}
+        able = {
+            program.name: program.rows[row.name]
+            for program in installed
+            if program.can(row.name, size) and program.name not in broken
+        }
         arguments = () if size is None else (size,)
         found = _in_turn({OWN: row.prepare, **able}, arguments, timing.BUDGET / max(len(row.sizes), 1), fails)
         for name, figure in figures.items():
             figure.timings.append(found.get(name))
-    return Comparison(row, figures[OWN], {z.name: figures.get(z.name) for z in programs})
+    return Comparison(row, figures[OWN], {program.name: figures.get(program.name) for program in programs})
 
 
 def nothing(row: Row) -> Comparison:
-    """A row that failed: no figures."""
-    empty = {z.name: Figure(row.unit, row.sizes) if z.installed else None for z in beside(row.name)}
+    """Return a row that failed: no figures."""
+    empty = {
+        program.name: Figure(row.unit, row.sizes) if program.installed else None
+        for program in beside(row.name)
+    }
     return Comparison(row, Figure(row.unit, row.sizes), empty)
 
 
 def _in_turn(
     works: Mapping[str, Prepare], arguments: Sequence[int], budget: float, failed: Failed
 ) -> dict[str, Timing]:
-    """Timings of the works that do not fail."""
+    """Return the timings of the works that do not fail."""
     series: dict[str, Series] = {}
     for name, prepare in works.items():
         try:
             series[name] = Series(prepare(*arguments), budget)
-        except Exception as error:  # whatever another program raises: it is told, and the row goes on
+        except Exception as error:  # any error of another program is reported, and the row continues
             if name == OWN:
                 raise
             failed(name, error)

@@ -1,4 +1,4 @@
-"""Nanoseconds per element of the compiled kernels, called in batches without any system around them."""
+"""Times the compiled kernels, in nanoseconds per element, called in batches without a system around them."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 from flexel.benchmarks.timing import Work
 from flexel.generated._kernels import ffi, lib
 from flexel.generated.table import ELEMENTS
-from flexel.structure.nodes import COMPONENTS
+from flexel.model.node import COMPONENTS
 
 LANES = 8  # elements in a block, see generated/kernels.h
 BLOCKS = 16  # inputs and outputs stay in the second-level cache
@@ -18,7 +18,7 @@ PASSES = 50  # in one run
 
 
 def beam() -> Work:
-    """Position and acceleration of a beam: e, De and D²e(v,v)."""
+    """Time position and acceleration of a beam: e, De and D²e(v,v)."""
     calls = [batch("beam", kind) for kind in ("position", "acceleration")]
 
     def passes(blocks: int) -> None:
@@ -30,22 +30,22 @@ def beam() -> Work:
 
 
 def batch(element: str, kind: str) -> Callable[[int], None]:
-    """A kernel of one element type at random configurations, to be called with a number of blocks."""
+    """Time a kernel of one element type at random configurations, called with a number of blocks."""
     spec, rng = ELEMENTS[element], np.random.default_rng(2)
     kernel = spec.kernels[kind]
     n = sum(len(COMPONENTS[node.kind]) for node in spec.nodes)
-    size = {"x": n, "v": n, "p": sum(z.size for z in spec.parameters)}
-    ins = [rng.uniform(0.5, 1.0, size[z] * BLOCKS * LANES) for z in kernel.inputs]
-    outs = [np.zeros(max(len(z.nonzeros) * BLOCKS * LANES, 1)) for z in kernel.outputs]
+    size = {"x": n, "v": n, "p": sum(parameter.size for parameter in spec.parameters)}
+    ins = [rng.uniform(0.5, 1.0, size[name] * BLOCKS * LANES) for name in kernel.inputs]
+    outs = [np.zeros(max(len(output.nonzeros) * BLOCKS * LANES, 1)) for output in kernel.outputs]
     given, found = pointers(ins), pointers(outs)
     function = getattr(getattr(lib, f"flexel_{element}"), kind)
 
-    def call(blocks: int, arrays: Any = (ins, outs)) -> None:  # which the pointers point to
+    def call(blocks: int, arrays: Any = (ins, outs)) -> None:  # kept alive for the pointers
         function(blocks, given, found)
 
     return call
 
 
 def pointers(arrays: list[Any]) -> Any:
-    """A C array of pointers to arrays."""
-    return ffi.new("double *[]", [ffi.cast("double *", z.ctypes.data) for z in arrays])
+    """Return a C array of pointers to arrays."""
+    return ffi.new("double *[]", [ffi.cast("double *", array.ctypes.data) for array in arrays])

@@ -1,6 +1,6 @@
-"""Mechanisms side by side, tied to one another: a row of cranks that couplers keep parallel.
+"""Coupled mechanisms: a row of cranks that couplers keep parallel.
 
-Every pair of neighbours closes a loop, and all move in one motion, whose equation is known in closed form.
+Every pair of adjacent cranks closes a loop, and all move in one motion, whose equation is known in closed form.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ ANGLE, RATE = 0.7, 2.0  # of the cranks above the horizontal [rad], [rad/s]
 
 
 def ladder(n: int) -> fx.System:
-    """n planar cranks of uniform bars, and n - 1 couplers between their tips."""
+    """Build n planar cranks of uniform bars, and n - 1 couplers between their tips."""
     m = fx.Model(gravity=(0, -GRAVITY))
     for i in range(n):
         m.point(f"a{i}", (SPACING * i, 0), fixed=True)
@@ -31,13 +31,13 @@ def ladder(n: int) -> fx.System:
 
 
 def right_hand_side(n: int) -> Work:
-    """`System.rhs` of the moving cranks, at two states in turn."""
+    """Time `System.rhs` of the moving cranks, at two alternating states."""
     system = ladder(n)
     y = np.array([CRANK * np.cos(ANGLE), -CRANK * np.sin(ANGLE) * RATE])
     points = y, y + 1e-6
 
     def run() -> list[Array]:
-        return [system.rhs(0.0, z) for z in points]
+        return [system.rhs(0.0, point) for point in points]
 
     def error(rates: list[Array]) -> float:
         angular = (rates[0][1] + CRANK * np.cos(ANGLE) * RATE**2) / (-CRANK * np.sin(ANGLE))
@@ -47,7 +47,7 @@ def right_hand_side(n: int) -> Work:
 
 
 def acceleration(n: int) -> float:
-    """Of the cranks, as one body on a hinge [rad/s²]: couplers move along circles without turning."""
+    """Return the acceleration of the cranks, as one body on a hinge [rad/s²]: couplers do not turn."""
     crank, coupler = MASS * CRANK, MASS * SPACING
     inertia = (n * crank / 3 + (n - 1) * coupler) * CRANK**2
     return -float(GRAVITY * (n * crank / 2 + (n - 1) * coupler) * CRANK * np.cos(ANGLE) / inertia)

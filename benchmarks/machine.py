@@ -1,4 +1,4 @@
-"""The machine that the figures belong to, and one thread for the BLAS.
+"""Describes the machine on which figures are measured, and limits the BLAS to one thread.
 
 NumPy is not imported here: it reads the number of threads when it is imported.
 """
@@ -15,7 +15,7 @@ CPU_FILE = Path("/proc/cpuinfo")
 
 
 def one_thread() -> bool:
-    """Limit the BLAS to one thread; whether that was in time.
+    """Limit the BLAS to one thread; return whether the limit was set in time.
 
     Thread CPU time does not count what other threads compute.
     """
@@ -25,7 +25,7 @@ def one_thread() -> bool:
 
 
 def machine() -> str:
-    """Processor, Python, NumPy, and the flags that the kernels are compiled with."""
+    """Describe processor, Python, NumPy, and the flags with which the kernels are compiled."""
     import numpy
 
     from flexel.generated.build import FLAGS
@@ -34,7 +34,7 @@ def machine() -> str:
 
 
 def processor() -> str:
-    """Model and number of the processors."""
+    """Return model and number of the processors."""
     lines = CPU_FILE.read_text(encoding="utf-8").splitlines() if CPU_FILE.is_file() else []
     models = [line.partition(":")[2].strip() for line in lines if line.startswith("model name")]
     return f"{models[0] if models else platform.machine()}, {os.cpu_count()} processors"

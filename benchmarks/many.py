@@ -1,4 +1,4 @@
-"""Many variants of the bicycle at once: manoeuvre M1, root loci."""
+"""Times many variants of the bicycle at once: manoeuvre M1, root loci."""
 
 from __future__ import annotations
 
@@ -11,7 +11,8 @@ from flexel.base.arrays import Array, ComplexArray
 from flexel.benchmarks.bicycle import SPEEDS, apart, exact
 from flexel.benchmarks.timing import Work
 from flexel.examples import bicycle_data as data
-from flexel.examples.bicycle import LEAN_STEER, bicycle, rolling
+from flexel.examples.bicycle import bicycle, rolling
+from flexel.examples.stable_speeds import LEAN_STEER
 
 MASS = "frame and rider.mass"
 THREADS = 2
@@ -20,19 +21,19 @@ FEW = np.linspace(0.0, 10.0, 20)  # speeds of the loci of many bicycles [m/s]
 
 
 def _masses(system: fx.System) -> Array:
-    """Masses of rear frame and rider [kg], the first one that of the benchmark."""
+    """Return masses of rear frame and rider [kg], the first ones those of the benchmark."""
     own = float(system.parameters[MASS][0])
     return own + np.linspace(0.0, 30.0, VARIANTS)
 
 
 def _rolling(speeds: Array) -> dict[str, Array]:
-    """Rates of straight running at some speeds [m/s]."""
+    """Return rates of straight running at some speeds [m/s]."""
     still = np.zeros_like(speeds)
     return {"rear hub.x": speeds, "lean.angle": still, "steer.angle": still}
 
 
 def manoeuvres() -> Work:
-    """Manoeuvre M1 of 1000 bicycles with other riders, 5 s each, in two threads; wall time."""
+    """Time manoeuvre M1 of 1000 bicycles with other riders, 5 s each, in two threads; wall time."""
     system = bicycle()
     start, masses = rolling(system, data.M1_SPEED, data.ROLL_RATE), _masses(system)
 
@@ -56,7 +57,7 @@ def manoeuvres() -> Work:
 
 
 def loci() -> Work:
-    """Steady motion, M, C, K and eigenvalues at 100 speeds, in one call."""
+    """Time steady motion, M, C, K and eigenvalues at 100 speeds, in one call."""
     system, rates = bicycle(), _rolling(SPEEDS)
 
     def run() -> ComplexArray:
@@ -70,7 +71,7 @@ def loci() -> Work:
 
 
 def loci_of_many() -> Work:
-    """The same at 20 speeds for 1000 bicycles with other riders, in two threads; wall time."""
+    """Time the same at 20 speeds for 1000 bicycles with other riders, in two threads; wall time."""
     system, rates = bicycle(), _rolling(FEW)
     masses = _masses(system)
 

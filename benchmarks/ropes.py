@@ -1,4 +1,4 @@
-"""Ropes of spatial cables by implicit steps: a falling rope, Atwood's machine, the hoist."""
+"""Times ropes of spatial cables by implicit steps: a falling rope, Atwood's machine, the hoist."""
 
 from __future__ import annotations
 
@@ -8,7 +8,8 @@ import flexel as fx
 from flexel.base.arrays import Array
 from flexel.benchmarks.timing import Work
 from flexel.examples import hoist_model
-from flexel.examples.hoist import balance_error, lift
+from flexel.examples.hoist import LONG_STEP, balance_error, lift
+from flexel.examples.hoist_data import LONG
 from flexel.examples.rope_models import atwood
 
 STEP = 1e-3  # of the falling ropes [s]
@@ -19,14 +20,14 @@ PLACE = (
     0.0,
     -5.358377,
 )  # of the free end of 56 cables after 1 s, from steps of 200, 100 and 50 µs [m]
-RELEASE = 0.05  # time in which the fixed end is not felt at the free one [s]
+RELEASE = 0.05  # time before the fixed end affects the free end [s]
 FALL = 0.38048267  # of the mass A in 1 s, from 2000, 4000 and 8000 equal steps, extrapolated [m]
 
 Run = tuple[fx.Motion, dict[str, Array]]
 
 
 def rope(n: int) -> fx.System:
-    """A rope of n cables, held at one end and released from the horizontal."""
+    """Build a rope of n cables, held at one end and released from the horizontal."""
     m = fx.Model(gravity=(0, 0, -GRAVITY))
     for i in range(n + 1):
         m.point(f"p{i}", (ELEMENT * i, 0, 0), fixed=i == 0)
@@ -38,22 +39,22 @@ def rope(n: int) -> fx.System:
 
 
 def free_end(motion: fx.Motion, n: int) -> Array:
-    """Place (3,) [m] of the last point of n cables when the motion ends."""
+    """Return the position (3,) [m] of the last point of n cables when the motion ends."""
     return np.array([motion[f"p{n}.{axis}"][-1] for axis in "xyz"])
 
 
 def place_error(place: Array) -> float:
-    """Distance of the free end of 56 cables from where it is after 1 s, over the length of the rope."""
+    """Return the distance of the free end of 56 cables from its reference after 1 s, over the length of the rope."""
     return float(np.linalg.norm(place - PLACE) / (56 * ELEMENT))
 
 
 def release_error(place: Array) -> float:
-    """Error of the fall in `RELEASE`, in which the free end falls as without a rope."""
+    """Return the error of the fall in `RELEASE`, in which the free end falls as without a rope."""
     return float(abs(2 * place[2] / (-GRAVITY * RELEASE**2) - 1))
 
 
 def cables() -> Work:
-    """One second of a rope of 56 cables, full Newton iteration, with 101 states and the energy balance."""
+    """Time one second of a rope of 56 cables, full Newton iteration, with 101 states and the energy balance."""
     system = rope(56)
 
     def run() -> Run:
@@ -66,7 +67,7 @@ def cables() -> Work:
 
 
 def release(n: int) -> Work:
-    """The first 50 steps of a rope of n cables."""
+    """Time the first 50 steps of a rope of n cables."""
     system = rope(n)
 
     def run() -> fx.Motion:
@@ -76,7 +77,7 @@ def release(n: int) -> Work:
 
 
 def sheave() -> Work:
-    """One second of Atwood's machine, 56 cables with 5 points of contact each, in some 240 steps."""
+    """Time one second of Atwood's machine, 56 cables with 5 points of contact each, in about 240 steps."""
     machine, _ = atwood(56, 2.5, 2.0, inertia=0.02, mass=1.0, EA=1e5, stiffness=1e8)
 
     def run() -> fx.Motion:
@@ -90,6 +91,6 @@ def sheave() -> Work:
 
 
 def hoist() -> Work:
-    """The 30 s of `flexel reproduce hoist`, from the laid rope on."""
-    model = hoist_model.hoist()
-    return Work(lambda: lift(model, model.data.end), balance_error)
+    """Time the 30 s variant of `flexel reproduce hoist`, starting with the laid rope."""
+    model = hoist_model.hoist(LONG)
+    return Work(lambda: lift(model, model.data.end, LONG_STEP), balance_error)

@@ -1,4 +1,4 @@
-"""The flexible slider-crank: harmonic balance at 200 speeds."""
+"""Times the flexible slider-crank: harmonic balance at 200 speeds."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from flexel.examples.slider_crank import HARMONICS, Sweep, linear_sweep
 
 
 def sweep() -> Work:
-    """The linearized sweep of the example: models, orbits, linearization and 200 speeds with 12 harmonics."""
+    """Time the linearized sweep of the example: models, orbits, linearization and 200 speeds with 12 harmonics."""
 
     def error(found: Sweep) -> float:
         expected = linear_sweep(0.02, harmonics=HARMONICS).largest

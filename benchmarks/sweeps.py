@@ -1,4 +1,4 @@
-"""What a sweep adds to the work at its points: starting workers, handing out, collecting, writing and reading."""
+"""Times the overhead of a sweep: starting workers, distributing, collecting, writing and reading."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ POINTS = 20_000
 
 
 def overhead() -> Work:
-    """A sweep with joblib over points without work, with chunks chosen by itself; wall time."""
+    """Time a sweep with joblib over points without work, with automatic chunks; wall time."""
     values = np.linspace(0.0, 1.0, POINTS)
 
     def run() -> Any:

@@ -1,6 +1,6 @@
-"""The rows of `flexel bench`: what is measured, the figures to reach and to aim at, and what the accuracy is.
+"""The rows of `flexel bench`: the work, the figures to reach and to aim at, and the accuracy.
 
-What stands beside a row is in `flexel.benchmarks.peers`, by the name of the row.
+The peers of a row are in `flexel.benchmarks.peers`, by the name of the row.
 """
 
 from __future__ import annotations
@@ -37,13 +37,13 @@ class Row:
     reach, aim : float or None
         Figures [unit] to reach and to aim at.
     prepare : function
-        Makes what is timed, of a size if the row has sizes; its own time is not measured.
+        Makes the timed work, of a size if the row has sizes; the time to make it is not measured.
     accuracy : str
-        What `error` is; empty: there is no reference.
+        Meaning of `error`; empty: there is no reference.
     within : float or None
         Largest error with which the time counts.
     sizes : tuple of int
-        Of a row that scales, the smallest first; its figure is that of the largest.
+        Of a row with sizes, the smallest first; its figure is that of the largest.
     """
 
     name: str
@@ -56,11 +56,11 @@ class Row:
     sizes: tuple[int, ...] = ()
 
     def accurate(self, error: float | None) -> bool:
-        """Whether the result is good enough for its time to count."""
+        """Whether the result is accurate enough for its time to count."""
         return self.within is None or (error is not None and error <= self.within)
 
     def mark(self, value: float | None, error: float | None) -> str:
-        """What is met: "aim", "reach", or "missed"; "" without figures to meet."""
+        """Return the figure that is met: "aim", "reach", or "missed"; "" without figures to meet."""
         if not self.accurate(error):
             return "inaccurate"
         if value is None or self.reach is None or self.aim is None:

@@ -1,4 +1,4 @@
-"""How a row is timed: thread CPU time of many runs, and the accuracy of what was computed in them."""
+"""Times a row: thread CPU time of many runs, and the accuracy of the computed result."""
 
 from __future__ import annotations
 
@@ -11,27 +11,27 @@ from typing import Any
 
 import numpy as np
 
-BUDGET = 3.0  # time to spend on a work [s]; one that needs longer is run twice
-BATCH = 1e-3  # shortest time between two readings of the clock, which takes some 0.3 µs itself [s]
+BUDGET = 3.0  # time to spend on a work [s]; work that takes longer is run twice
+BATCH = 1e-3  # shortest time between two readings of the clock, which takes about 0.3 µs [s]
 FEWEST, MOST = 5, 2000  # readings
 
 
 @dataclass(frozen=True)
 class Work:
-    """What a row times.
+    """The timed work of a row.
 
     Attributes
     ----------
     run : function
         The work, once.
     error : function, optional
-        Accuracy of what a run returns, against a reference.
+        Accuracy of the result of a run, against a reference.
     count : int
-        What one run contains, such as evaluations: the time is divided by it.
+        Number of items in one run, such as evaluations: the time is divided by it.
     idle : function, optional
-        A run with nothing to do, whose time is subtracted.
+        An empty run, whose time is subtracted.
     clock : function
-        CPU time [s] of what runs.
+        Clock of CPU time [s].
     """
 
     run: Callable[[], Any]
@@ -54,12 +54,12 @@ class Timing:
 class Series:
     """The readings of some work, as many as fit in a budget.
 
-    The first run, made here, also gives the accuracy. Its time counts only where the work needs longer than the
-    budget; shorter work has run once, then, and what is set up at first use is not counted.
+    The first run, made here, also gives the accuracy. Its time counts only if the work takes longer than the
+    budget; shorter work has then run once, and preparations at first use are not counted.
     """
 
     def __init__(self, work: Work, budget: float | None = None) -> None:
-        """Run the work once, and find how often it is to be read; the budget [s] is `BUDGET` if it is not given."""
+        """Run the work once, and find how many readings to take; the budget [s] is `BUDGET` by default."""
         budget = BUDGET if budget is None else budget
         self.work = work
         begin = work.clock()
@@ -74,39 +74,39 @@ class Series:
         self.found.append(reading(self.work, self.work.run, self.number))
 
     def timing(self) -> Timing:
-        """What the readings say."""
+        """Return the timing of the readings."""
         idle = 0.0
         if self.work.idle is not None:
             count, number = plan(self.work, self.work.idle, BUDGET)
             idle = min(reading(self.work, self.work.idle, number) for _ in range(count))
         shortest, median = (
-            (z - idle) / self.work.count for z in (min(self.found), statistics.median(self.found))
+            (seconds - idle) / self.work.count for seconds in (min(self.found), statistics.median(self.found))
         )
         return Timing(shortest, median, len(self.found), self.error)
 
 
 def measure(series: Sequence[Series]) -> list[Timing]:
-    """Read several works in turn, so that what disturbs the machine disturbs all of them.
+    """Read several works in turn, so that disturbances of the machine affect all of them.
 
     Works with fewer readings are read at even distances between those of the others.
     """
-    rounds = max(z.count for z in series)
+    rounds = max(item.count for item in series)
     for i in range(rounds):
-        for z in series:
-            if (i + 1) * z.count // rounds > i * z.count // rounds:
-                z.read()
-    return [z.timing() for z in series]
+        for item in series:
+            if (i + 1) * item.count // rounds > i * item.count // rounds:
+                item.read()
+    return [item.timing() for item in series]
 
 
 def plan(work: Work, run: Callable[[], Any], budget: float) -> tuple[int, int]:
-    """How many readings fit in the budget, and of how many runs each, so that reading the clock does not disturb."""
+    """Return how many readings fit in the budget, and the runs in each, so that reading the clock does not disturb."""
     once = min(reading(work, run, 1) for _ in range(2))
     number = max(1, ceil(BATCH / max(once, BATCH / 1e4)))
     return min(max(round(budget / max(once, BATCH)), FEWEST), MOST), number
 
 
 def reading(work: Work, run: Callable[[], Any], number: int) -> float:
-    """Seconds of one run, from `number` runs."""
+    """Return the seconds of one run, from `number` runs."""
     begin = work.clock()
     for _ in range(number):
         run()
@@ -114,7 +114,7 @@ def reading(work: Work, run: Callable[[], Any], number: int) -> float:
 
 
 def yardstick() -> Timing:
-    """LU factorization and solution of a 40 x 40 system in NumPy: a fixed piece of work to divide by."""
+    """Time LU factorization and solution of a 40 x 40 system in NumPy: a fixed unit of work."""
     A = np.random.default_rng(1).normal(size=(40, 40)) + 40 * np.eye(40)
     b = np.ones(40)
     return measure([Series(Work(lambda: np.linalg.solve(A, b)))])[0]

@@ -1,4 +1,4 @@
-"""The road vehicle: ramp-to-step steering, linearization, model build."""
+"""Times the road vehicle: ramp-to-step steering, linearization, model build."""
 
 from __future__ import annotations
 
@@ -9,19 +9,19 @@ from flexel.examples import vehicle_runs as runs
 from flexel.examples.differences import state_matrix
 from flexel.examples.vehicle import vehicle
 from flexel.examples.vehicle_signals import yaw_rate
-from flexel.mechanics.linearization import Linearization
+from flexel.results.linearization import Linearization
 
 SPEED = 30.0  # of the steering manoeuvre [m/s]
 YAW_RATE = -0.084853807401929  # after 5 s, by DOP853 at rtol 1e-11 [rad/s]
 
 
 def build() -> Work:
-    """Declare and build the model, the kernels being compiled."""
+    """Time the declaration and build of the model, with compiled kernels."""
     return Work(lambda: vehicle(SPEED, rack=runs.rounded_ramp()))
 
 
 def ramp() -> Work:
-    """The motion of `vehicle_runs.steer` at 30 m/s, 5 s with 126 stored states, from a given state."""
+    """Time the motion of `vehicle_runs.steer` at 30 m/s, 5 s with 126 stored states, from a given state."""
     system = vehicle(SPEED, rack=runs.rounded_ramp())
     start = runs.start(system, SPEED)
     return Work(
@@ -31,7 +31,7 @@ def ramp() -> Work:
 
 
 def linearization() -> Work:
-    """`System.linearize` of the vehicle running straight at 20 m/s."""
+    """Time `System.linearize` of the vehicle running straight at 20 m/s."""
     system, state = runs.straight(20.0)
 
     def error(found: Linearization) -> float:

@@ -1,6 +1,6 @@
-"""The user's cache of compiled elements and laws: a private folder of sealed files.
+"""The user's cache of compiled files: a private folder of files with checksums.
 
-What is loaded runs in the process, so no other user may write it; a seal behind the content shows that it is whole.
+What is loaded runs in the process, so no other user may write it; a checksum behind the content shows that it is whole.
 """
 
 import atexit
@@ -12,8 +12,8 @@ import warnings
 from functools import cache
 from pathlib import Path
 
-from flexel.derive.sealed import is_whole as unbroken
-from flexel.derive.sealed import seal_of
+from flexel.derive.checksum_trailer import content_in, trailer_of
+from flexel.derive.checksum_trailer import is_whole as unbroken
 
 
 class CacheError(RuntimeError):
@@ -21,13 +21,13 @@ class CacheError(RuntimeError):
 
 
 def cache_directory() -> Path:
-    """Directory of compiled elements and laws (it may not exist yet)."""
+    """Return the directory of compiled elements and laws (it may not exist yet)."""
     base = os.environ.get("XDG_CACHE_HOME", "")
     return (Path(base) if os.path.isabs(base) else Path.home() / ".cache") / "flexel"
 
 
 def writable_directory() -> Path:
-    """The cache; where it cannot be written, a folder for this process, with a warning.
+    """Return the cache, or a folder for this process, with a warning, where the cache cannot be written.
 
     Raises
     ------
@@ -42,6 +42,16 @@ def writable_directory() -> Path:
     check_private(folder)
     if not os.access(folder, os.W_OK | os.X_OK):
         return _temporary(folder, "it is read-only")
+    return folder
+
+
+def folder_in_cache(name: str) -> Path:
+    """Return a folder in the cache; where that cannot be trusted or written, one for this process, with a warning."""
+    try:
+        folder = writable_directory() / name
+    except CacheError as error:
+        folder = _temporary(cache_directory(), str(error)) / name
+    folder.mkdir(mode=0o700, exist_ok=True)
     return folder
 
 
@@ -64,7 +74,7 @@ def check_private(folder: Path) -> None:
 
 @cache
 def _temporary(folder: Path, reason: str) -> Path:
-    """A folder that goes with this process."""
+    """Create a folder that is removed when this process ends."""
     warnings.warn(
         f"the cache {folder} cannot be used ({reason}): what is compiled is lost with this process; set XDG_CACHE_HOME "
         "to a folder that can be written",
@@ -76,16 +86,22 @@ def _temporary(folder: Path, reason: str) -> Path:
     return found
 
 
-def seal(file: Path) -> None:
-    """Append the seal to a file."""
+def append_checksum(file: Path) -> None:
+    """Append the checksum trailer to a file."""
     content = file.read_bytes()
     with file.open("ab") as stream:
-        stream.write(seal_of(content))
+        stream.write(trailer_of(content))
 
 
 def is_whole(file: Path) -> bool:
-    """Whether a file exists with its seal unbroken."""
+    """Whether a file exists with a valid checksum."""
+    return content_of(file) is not None
+
+
+def content_of(file: Path) -> bytes | None:
+    """Return the content of a file without its checksum; None if there is no file, or its checksum is wrong."""
     try:
-        return unbroken(file.read_bytes())
+        data = file.read_bytes()
     except OSError:
-        return False
+        return None
+    return content_in(data) if unbroken(data) else None

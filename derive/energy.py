@@ -44,9 +44,9 @@ def by_gauss(stress: Expr, e: Symbol, low: float, high: float) -> Expr:
 
 
 def kinks(expr: Expr, e: Symbol) -> tuple[float, ...]:
-    """Places where pieces of a formula end, of those that are linear in e."""
+    """Return the points where pieces of a formula end, of those linear in e; some more where pieces are nested."""
     found = set()
-    for margin in _margins(expr):
+    for margin in {branch for nested in _margins(expr) for branch in _branches(nested)}:
         slope = margin.diff(e)
         if slope.is_number and slope.is_real and slope != 0:
             place = sp.N(-margin.subs(e, 0) / slope)
@@ -56,7 +56,7 @@ def kinks(expr: Expr, e: Symbol) -> tuple[float, ...]:
 
 
 def _margins(expr: Expr) -> Iterator[Expr]:
-    """What changes its sign where a formula has a kink."""
+    """Return the expressions that change sign where a formula has a kink."""
     for part in expr.atoms(Relational):
         yield part.lhs - part.rhs
     for part in expr.atoms(*KINKED):
@@ -66,8 +66,25 @@ def _margins(expr: Expr) -> Iterator[Expr]:
             yield part.args[0]
 
 
+def _branches(expr: Expr) -> Iterator[Expr]:
+    """Yield a formula with each kinked function in it replaced by one of its pieces, in all combinations."""
+    inner = next(iter(sorted(expr.atoms(*KINKED, sp.Piecewise), key=sp.default_sort_key)), None)
+    if inner is None:
+        yield expr
+        return
+    if isinstance(inner, sp.Piecewise):
+        pieces = [piece for piece, _ in inner.args]
+    elif isinstance(inner, (sp.Min, sp.Max)):
+        pieces = list(inner.args)
+    else:
+        size = inner.args[0] if isinstance(inner, sp.Abs) else sp.S.One
+        pieces = [size, -size]
+    for piece in pieces:
+        yield from _branches(expr.xreplace({inner: piece}))
+
+
 def _rule(stress: Expr, e: Symbol, start: float, end: float) -> Expr:
-    """The part of the integral from zero to e that lies between two places, the first nearer to zero."""
+    """Integrate numerically over the part from zero to e that lies between two points, the first nearer to zero."""
     low, high = min(start, end), max(start, end)
     span = sp.Min(sp.Max(e, sp.Float(low)), sp.Float(high)) - sp.Float(start)
     places, weights = np.polynomial.legendre.leggauss(POINTS)

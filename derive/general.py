@@ -11,7 +11,7 @@ from flexel.derive.spec import FORMULA_NUMBERS
 
 
 def general(law: Law) -> tuple[Law, tuple[float, ...]]:
-    """The law with its numbers replaced by one parameter, and their values.
+    """Return the law with its numbers replaced by one parameter, and their values.
 
     Parameters
     ----------
@@ -43,12 +43,12 @@ def general(law: Law) -> tuple[Law, tuple[float, ...]]:
 
 
 def _place(number: int) -> Symbol:
-    """What stands for a number until their count is known."""
+    """Return the placeholder of a number until their count is known."""
     return symbol(f"number_at_{number}")
 
 
 def _replaced(expr: Expr, found: list[float]) -> Expr:
-    """The expression with symbols for its numbers, whose values are added to those found."""
+    """Replace the numbers of an expression by symbols; their values are added to those found."""
     if expr.is_Number:
         if expr in (-1, 0, 1) or not expr.is_finite:
             return expr
@@ -62,14 +62,14 @@ def _replaced(expr: Expr, found: list[float]) -> Expr:
 
 
 def _ordered(expr: Expr) -> Iterator[Basic]:
-    """The parts of an expression in an order that does not depend on its numbers."""
+    """Sort the parts of an expression in an order that does not depend on its numbers."""
     if not (expr.is_Add or expr.is_Mul or isinstance(expr, (sp.Min, sp.Max))):
         return iter(expr.args)
     return iter(sorted(expr.args, key=lambda part: sp.default_sort_key(_masked(part))))
 
 
 def _masked(expr: Basic) -> Basic:
-    """The expression with one and the same symbol for all its numbers but exponents."""
+    """Replace all numbers of an expression but exponents by one and the same symbol."""
     if isinstance(expr, sp.Number):
         return expr if expr in (-1, 0, 1) else symbol("number")
     if not expr.args:

@@ -14,7 +14,7 @@ _NEGLIGIBLE = 1e-9  # of a period, relative to the largest of its terms
 
 
 def triangle(size: int) -> int | None:
-    """Rows of a symmetric matrix whose upper triangle has this many entries; None if no matrix has."""
+    """Return the rows of a symmetric matrix whose upper triangle has this many entries; None if no matrix has."""
     rows = (isqrt(8 * size + 1) - 1) // 2
     return rows if rows * (rows + 1) == 2 * size else None
 
@@ -55,8 +55,8 @@ class TermSpec:
     powers: tuple[tuple[str, int, int], ...] = ()
 
     def value(self, parameters: Parameters) -> float:
-        """Its value for values of the parameters."""
-        return self.factor * prod(float(parameters[z][i]) ** n for z, i, n in self.powers)
+        """Return its value for values of the parameters."""
+        return self.factor * prod(float(parameters[name][i]) ** n for name, i, n in self.powers)
 
 
 @dataclass(frozen=True)
@@ -74,7 +74,7 @@ class DeformationSpec:
     kinked: bool = False
 
     def repeats(self, parameters: Parameters) -> float:
-        """The length after which it repeats, for values of the parameters; zero if it does not."""
+        """Return the length after which it repeats, for values of the parameters; zero if it does not."""
         terms = [term.value(parameters) for term in self.period]
         length = abs(sum(terms))
         # equal radii, say: a difference due to rounding is not a period
@@ -92,11 +92,18 @@ class SlipSpec:
 
 @dataclass(frozen=True)
 class OutputSpec:
-    """Output array of a kernel: its full shape and the flat indices of the entries that are stored."""
+    """Output array of a kernel: its full shape and the flat indices of the entries that are stored.
+
+    unit, draws, carrier: of the kernel "outputs", the unit of all entries, what a picture draws of it, and the names of
+    the outputs, origin and axes, of the frame in whose axes it is.
+    """
 
     name: str
     shape: tuple[int, ...]
     nonzeros: tuple[int, ...]
+    unit: str = ""
+    draws: str = ""
+    carrier: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -128,6 +135,11 @@ class ElementSpec:
     family: str = ""
     picture: str = ""
     span: str = ""
+
+    @property
+    def outputs(self) -> tuple[OutputSpec, ...]:
+        """What it reports beside its deformations."""
+        return self.kernels["outputs"].outputs if "outputs" in self.kernels else ()
 
     @property
     def planar(self) -> bool:
@@ -181,3 +193,4 @@ class LawSpec:
     kernels: dict[str, KernelSpec]
     limit: LimitSpec | None = None
     arguments: tuple[ArgumentSpec, ...] = ()
+    timed: bool = False  # its stresses or rates depend on time

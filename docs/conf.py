@@ -3,7 +3,8 @@
 import sys
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parent))
+DOCS = Path(__file__).resolve().parent
+sys.path[:0] = [str(DOCS), str(DOCS.parent / "tools")]
 
 import docstrings  # noqa: E402
 import pages  # noqa: E402
@@ -32,7 +33,7 @@ sphinx_gallery_conf = {
     "thumbnail_size": (400, 280),
     "within_subsection_order": "FileNameSortKey",
 }
-html_math_renderer = "mathml"  # of mathml.py in this folder
+html_math_renderer = "mathml"  # from mathml.py in this folder
 myst_enable_extensions = ["dollarmath"]
 html_extra_path = ["_generated/report"]
 exclude_patterns = ["_build", "_generated/contents.md"]
@@ -44,18 +45,18 @@ napoleon_google_docstring = False
 napoleon_use_ivar = True
 suppress_warnings = [
     "ref.python"
-]  # short attribute names, such as x, occur in several classes: no link is meant
+]  # short attribute names, such as x, occur in several classes, without intended links
 html_theme = "furo"
 html_title = "flexel"
 html_static_path = ["static"]
 html_css_files = ["flexel.css"]
-html_search_scorer = str(Path(__file__).resolve().parent / "search.js")
+html_search_scorer = str(DOCS / "search.js")
 html_show_sourcelink = False
 templates_path: list[str] = []
 
 
 def setup(app: object) -> None:
     """Write the generated pages, then let Sphinx read."""
-    pages.write(Path(__file__).resolve().parent)
+    pages.write(DOCS)
     before = 400  # the extension that reads the sections has 500
     app.connect("autodoc-process-docstring", docstrings.process, priority=before)  # type: ignore[attr-defined]

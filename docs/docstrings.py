@@ -1,4 +1,4 @@
-"""What Sphinx needs of docstrings: one attribute a line, no bars, and no colon in the first line of a property."""
+"""Adapts docstrings for Sphinx: one attribute a line, no bars, and no colon in the first line of a property."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ OUTSIDE = re.compile(r", (?![^(]*\))")  # a comma that is not within parentheses
 def process(app: object, what: str, name: str, obj: object, options: object, lines: list[str]) -> None:
     """Change the lines of a docstring in place, before its sections are read."""
     lines[:] = escaped(separated(lines))
-    if what in ("property", "attribute") and lines:  # what is before a colon would be its type
+    if what in ("property", "attribute") and lines:  # text before a colon would become its type
         lines[0] = lines[0].replace(": ", " – ")
 
 
@@ -22,9 +22,9 @@ def escaped(lines: Sequence[str]) -> list[str]:
 
 
 def separated(lines: Sequence[str]) -> list[str]:
-    """Give each of the attributes that share a line a line and the text: a field of Sphinx has one name.
+    """Give attributes that share a line separate lines with the same text: a field of Sphinx has one name.
 
-    Types are shared too, or as many as names.
+    Types are shared too, unless there are as many as names.
     """
     found: list[str] = []
     section = ""
@@ -46,6 +46,6 @@ def separated(lines: Sequence[str]) -> list[str]:
 
 
 def described(lines: Sequence[str]) -> list[str]:
-    """The indented lines at the start."""
+    """Return the indented lines at the start."""
     end = next((i for i, line in enumerate(lines) if not line.startswith(" ")), len(lines))
     return list(lines[:end])

@@ -1,4 +1,4 @@
-"""Pages about elements and laws, from their specifications and their verification."""
+"""Writes pages about elements and laws, from their specifications and their verification."""
 
 from __future__ import annotations
 
@@ -21,27 +21,35 @@ def table(head: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
 
 
 def parameters(specs: Sequence[ParameterSpec]) -> str:
-    """Table of the parameters of an element or a law."""
-    counts = ("" if z.size == 1 else f" ({z.size} numbers)" for z in specs)
-    units = ("-" if z.unit == "1" else z.unit for z in specs)
+    """Return the table of the parameters of an element or a law."""
+    counts = ("" if spec.size == 1 else f" ({spec.size} numbers)" for spec in specs)
+    units = ("-" if spec.unit == "1" else spec.unit for spec in specs)
     rows = zip(specs, counts, units, strict=True)
-    return table(("name", "meaning"), [(f"`{z.name}`", f"{z.doc}{n} [{unit}]") for z, n, unit in rows])
+    return table(
+        ("name", "meaning"), [(f"`{spec.name}`", f"{spec.doc}{n} [{unit}]") for spec, n, unit in rows]
+    )
 
 
 def kernels(specs: dict[str, KernelSpec]) -> str:
-    """Table of kernels: inputs, outputs and number of operations."""
+    """Return the table of kernels: inputs, outputs and number of operations."""
     rows = []
     for name, kernel in specs.items():
-        written = [f"{z.name} {'×'.join(map(str, z.shape))} ({len(z.nonzeros)})" for z in kernel.outputs]
+        written = [
+            f"{output.name} {'×'.join(map(str, output.shape))} ({len(output.nonzeros)})"
+            for output in kernel.outputs
+        ]
         rows.append((name, ", ".join(kernel.inputs), ", ".join(written), kernel.operations))
     return table(("kernel", "inputs", "outputs (stored entries)", "operations"), rows)
 
 
 def errors(rows: Rows) -> str:
-    """Table of the verification."""
+    """Return the table of the verification."""
     return table(
         ("kernel", "output", "against finite differences", "against the definition"),
-        [(z["kernel"], z["output"], number(z["differences"]), number(z["reference"])) for z in rows],
+        [
+            (row["kernel"], row["output"], number(row["differences"]), number(row["reference"]))
+            for row in rows
+        ],
     )
 
 
@@ -50,21 +58,25 @@ def number(value: float | None) -> str:
     return "–" if value is None else f"{value:.0e}"
 
 
-def element_page(spec: ElementSpec, rows: Rows) -> str:
-    """Definition, source, kernels, counts and verification of one element."""
-    modes = [(f"`{z.name}`", z.unit, "free" if z.free else "rigid", period(z)) for z in spec.deformations]
-    slips = [(f"`{z.name}`", z.unit, "free" if z.free else "zero") for z in spec.slips]
+def element_page(spec: ElementSpec, rows: Rows, picture: str = "") -> str:
+    """Return definition, source, kernels, counts and verification of one element, and the picture of its modes."""
+    modes = [
+        (f"`{mode.name}`", mode.unit, "free" if mode.free else "rigid", period(mode))
+        for mode in spec.deformations
+    ]
+    slips = [(f"`{slip.name}`", slip.unit, "free" if slip.free else "zero") for slip in spec.slips]
+    shown = f"\n![As drawn, and moved along each deformation and slip]({picture})\n" if picture else ""
     return f"""# {spec.name}
 
 ```text
 {spec.doc}
 ```
-
+{shown}
 Source: {spec.source}.
 
 ## Nodes
 
-{table(("node", "kind"), [(f"`{z.name}`", z.kind.replace("_", " ")) for z in spec.nodes])}
+{table(("node", "kind"), [(f"`{node.name}`", node.kind.replace("_", " ")) for node in spec.nodes])}
 ## Parameters
 
 {parameters(spec.parameters)}
@@ -86,7 +98,7 @@ the kernel one order below, and against the definition in 60 digits.
 
 
 def period(spec: DeformationSpec) -> str:
-    """The period of a deformation as a formula."""
+    """Write the period of a deformation as a formula."""
     terms = []
     for term in spec.period:
         turns = f"{term.factor / (2 * math.pi):g}·2π".removeprefix("1·").replace("-1·", "-")
@@ -95,7 +107,7 @@ def period(spec: DeformationSpec) -> str:
 
 
 def laws_page(rows: dict[str, Rows]) -> str:
-    """All laws on one page."""
+    """Return the page with all laws."""
     parts = [
         "# Laws\n\nA law gives the stress of free deformations and slips. It does not depend on geometry.\n"
         "`m.spring` and `m.stop` attach the common ones, `m.attach` any of them by name.\n"
@@ -112,13 +124,15 @@ def laws_page(rows: dict[str, Rows]) -> str:
 
 def law_facts(spec: LawSpec) -> str:
     """Return the numbers of deformations and slips of a law, and its internal states."""
-    states = ", ".join(f"`{z.name}` [{z.unit}]" for z in spec.states) or "none"
+    states = ", ".join(f"`{state.name}` [{state.unit}]" for state in spec.states) or "none"
     return f"Deformations: {spec.deformations}; slips: {spec.slips}; internal states: {states}.\n"
 
 
 def elements_page() -> str:
-    """The list of element pages."""
-    costs = [(f"[{z.name}](elements/{z.name}.md)", z.source, count(z)) for z in ELEMENTS.values()]
+    """Return the list of element pages."""
+    costs = [
+        (f"[{spec.name}](elements/{spec.name}.md)", spec.source, count(spec)) for spec in ELEMENTS.values()
+    ]
     pages = "\n".join(f"elements/{name}" for name in ELEMENTS)
     return (
         "# Elements\n\nEach element is declared in `derive/elements` and added to a model by a method of `Model`:\n"
@@ -129,5 +143,5 @@ def elements_page() -> str:
 
 
 def count(spec: ElementSpec) -> int:
-    """Operations of all kernels together."""
+    """Count the operations of all kernels together."""
     return sum(kernel.operations for kernel in spec.kernels.values())

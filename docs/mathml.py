@@ -1,4 +1,4 @@
-"""Formulas as MathML, written when the pages are built: browsers typeset it, without scripts or a network."""
+"""Renders formulas as MathML when the pages are built: browsers typeset it, without scripts or a network."""
 
 import re
 from typing import Any
@@ -11,14 +11,14 @@ from sphinx.util.math import get_node_equation_number
 
 ACCENT = re.compile(r"\\(d?dot|bar) ([A-Za-z])")
 COMBINING = {"dot": "\u0307", "ddot": "\u0308", "bar": "\u0304"}
-PRIVATE = 0xE000  # first of the characters that Unicode leaves to us
+PRIVATE = 0xE000  # first private-use character of Unicode
 
 
 def converted(node: Element, as_block: bool) -> str:
     """Return a formula of LaTeX as MathML.
 
-    A letter under dots or a bar becomes one symbol, with Unicode's combining accent. As an accent of MathML it would
-    take an index below itself, and lie on the letter where a browser finds no font for mathematics.
+    A letter under dots or a bar becomes one symbol, with Unicode's combining accent. As an accent of MathML, it would
+    have its index below, and overlap the letter if a browser finds no font for mathematics.
     """
     symbols: list[str] = []
 
@@ -44,7 +44,7 @@ def visit_inline(translator: Any, node: math) -> None:
 
 
 def visit_block(translator: Any, node: math_block) -> None:
-    """Write a formula of its own, which scrolls where the page is narrow, with its number if it has one."""
+    """Write a displayed formula, which scrolls on a narrow page, with its number if it has one."""
     number = ""
     if node["number"]:
         number = f'<span class="eqno">({get_node_equation_number(translator, node)})</span>'

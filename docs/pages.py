@@ -1,6 +1,6 @@
 """Write the generated pages of the documentation: one for each element, the laws, the public names, the contents.
 
-``python docs/pages.py`` or `make docs` runs it. The output is in ``docs/_generated`` and is not kept in git. The
+`make docs` runs it, from conf.py. The output is in ``docs/_generated`` and is not kept in git. The
 numbers of the verification are those of `flexel verify`, computed once for each derivation of the kernels.
 """
 
@@ -11,11 +11,11 @@ from importlib import import_module
 from pathlib import Path
 
 from element_pages import Rows, element_page, elements_page, laws_page, table
-from methods import method_pages, method_rows
+from methods import method_pages, method_rows, other_methods
 from reported import write_report
 
 import flexel
-from flexel.commands.reproduce import CASES
+from flexel.apps.cli.reproduce import CASES
 from flexel.derive.verify import verify_generated
 from flexel.generated.table import ELEMENTS, LAWS
 
@@ -23,6 +23,7 @@ from flexel.generated.table import ELEMENTS, LAWS
 FIRST = (
     "start",
     "concepts",
+    "seeds",
     "joints",
     "flexure-design",
     "vehicles",
@@ -40,69 +41,78 @@ REFERENCE = ("theory", "architecture", "adding-an-element", "verification", "spe
 
 HOMES = {  # sections of the page of public names: title and modules
     "Models": (
-        "flexel.model",
-        "flexel.structure.rigid_bodies",
+        "flexel.parts.model",
+        "flexel.model.rigid_body",
         "flexel.mechanics.findings",
-        "flexel.declare.sections",
-        "flexel.declare.round_sections",
-        "flexel.declare.thin_sections",
-        "flexel.declare.closed_profile",
-        "flexel.declare.materials",
-        "flexel.declare.curves",
-        "flexel.declare.wheels",
+        "flexel.parts.sections",
+        "flexel.model.profiles",
+        "flexel.parts.round_sections",
+        "flexel.parts.thin_sections",
+        "flexel.parts.closed_profile",
+        "flexel.parts.materials",
+        "flexel.parts.curves",
+        "flexel.parts.wheels",
         "flexel.base.quaternions",
-        "flexel.declare.user",
+        "flexel.parts.elements",
+        "flexel.parts.element_page",
     ),
     "Flexure mechanisms": (
-        "flexel.flexures.flexure",
-        "flexel.flexures.declaring",
-        "flexel.flexures.properties",
-        "flexel.results.flexure",
+        "flexel.apps.flexures.flexure",
+        "flexel.apps.flexures.declaring",
+        "flexel.apps.flexures.properties",
+        "flexel.results.flexure_result",
         "flexel.results.flexure_step",
     ),
     "Ropes and contact": (
-        "flexel.rope.rope",
-        "flexel.rope.wire_rope",
-        "flexel.rope.surfaces",
-        "flexel.rope.contacts",
+        "flexel.parts.rope",
+        "flexel.parts.wire_rope",
+        "flexel.parts.rope_surfaces",
+        "flexel.parts.rope_contacts",
     ),
     "Functions of time": ("flexel.base.time_functions", "flexel.base.time_tables"),
     "Systems, states and motions": (
-        "flexel.system",
-        "flexel.structure.state",
+        "flexel.results.system_facade",
+        "flexel.model.state",
         "flexel.integration.events",
-        "flexel.analyses.stepper",
-        "flexel.analyses.summary",
+        "flexel.results.analyses.stepper",
+        "flexel.results.analyses.summary",
         "flexel.results.motion",
-        "flexel.results.saved.loading",
+        "flexel.parts.opening",
     ),
     "Statics, stresses and periodic motions": (
-        "flexel.mechanics.constraints",
-        "flexel.mechanics.stress",
+        "flexel.model.constraints",
+        "flexel.model.stress",
         "flexel.statics.stability",
         "flexel.statics.compliance",
-        "flexel.results.periodic",
-        "flexel.results.branch",
+        "flexel.results.periodic_motion",
+        "flexel.results.periodic_branch",
     ),
-    "SPACAR": ("flexel.spacar.reading", "flexel.results.saved.spacar_records"),
+    "SPACAR": ("flexel.apps.spacar.reading", "flexel.results.saved.spacar_records"),
     "Sweeps": (
-        "flexel.sweeps.sweep",
-        "flexel.sweeps.points",
-        "flexel.sweeps.sampling",
-        "flexel.sweeps.dataset",
+        "flexel.apps.sweeps.parameter_sweep",
+        "flexel.apps.sweeps.points",
+        "flexel.apps.sweeps.sampled_points",
+        "flexel.apps.sweeps.dataset",
     ),
-    "Linearization": ("flexel.mechanics.linearization", "flexel.mechanics.modes", "flexel.linear.sampled"),
+    "Linearization": (
+        "flexel.results.linearization",
+        "flexel.results.time_varying",
+        "flexel.results.small_motion",
+        "flexel.mechanics.modes",
+        "flexel.linear.sampled",
+    ),
     "Many variants": ("flexel.results.ensemble", "flexel.results.linearizations"),
-    "Errors": ("flexel.base.errors", "flexel.results.interrupted", "flexel.derive.errors"),
-    "Pictures": ("flexel.pictures.scene", "flexel.pictures.solids"),
+    "Errors": ("flexel.base.errors", "flexel.results.interrupted", "flexel.derive.definition_errors"),
+    "Pictures": ("flexel.apps.view.scene", "flexel.apps.view.solids"),
 }
 RETURNED = {  # functions and options of pictures that are not names of the package itself
     "flexel.linear.tracking": ("Branches", "Boundary"),
-    "flexel.results.response": ("FrequencyResponse",),
-    "flexel.pictures.scene": ("draw",),
-    "flexel.pictures.loci": ("root_loci",),
-    "flexel.pictures.view": ("scene_data", "view_modes", "Page"),
+    "flexel.linear.response": ("FrequencyResponse",),
+    "flexel.apps.view.scene": ("draw",),
+    "flexel.apps.view.loci": ("root_loci",),
+    "flexel.apps.view.page": ("scene_data", "view_modes", "Page"),
 }
+AUTHORING = ("Part", "part", "quantity", "array_quantity", "entry", "Lowering")  # of `flexel.parts`
 DECLARATIONS = (
     "flexel.derive.declare.element",
     "flexel.derive.declare.rotation",
@@ -113,7 +123,9 @@ DECLARATIONS = (
 def verification(folder: Path) -> dict[str, Rows]:
     """Return the rows of `flexel verify` by element (a law is ``law <name>``), cached by the digests of kernels."""
     digests = {
-        f"{prefix}{z.name}": z.digest for prefix, t in (("", ELEMENTS), ("law_", LAWS)) for z in t.values()
+        f"{prefix}{spec.name}": spec.digest
+        for prefix, t in (("", ELEMENTS), ("law_", LAWS))
+        for spec in t.values()
     }
     file = folder / "verification.json"
     kept = json.loads(file.read_text(encoding="utf-8")) if file.is_file() else {}
@@ -134,16 +146,18 @@ def put(file: Path, text: str) -> None:
 
 
 def directive(name: str, module: str = "flexel") -> str:
-    """The autodoc directive of a name."""
+    """Return the autodoc directive of a name."""
     value = getattr(import_module(module), name)
     if not inspect.isclass(value):
         return f".. autofunction:: {module}.{name}\n"
     if issubclass(value, BaseException):
         return f".. autoexception:: {module}.{name}\n"
-    families = [z for z in value.__mro__[1:] if z.__module__.startswith("flexel.")]
-    if value is flexel.Model or not families:  # the methods of Model have pages of their own
+    if value is flexel.Model:  # the methods that declare parts have pages of their own
+        return f".. autoclass:: {module}.{name}\n   :members: {', '.join(other_methods())}\n"
+    families = [family for family in value.__mro__[1:] if family.__module__.startswith("flexel.")]
+    if not families:
         return f".. autoclass:: {module}.{name}\n   :members:\n"
-    # Methods that stand in families of their own; those of Python's own bases, as of a sequence, stay out.
+    # Methods in separate families; those of Python's base classes, as of a sequence, are left out.
     members = dict.fromkeys(
         key
         for base in (value, *families)
@@ -165,7 +179,11 @@ def api_pages() -> dict[str, str]:
     for module, given in RETURNED.items():
         entries["Pictures"] += [directive(name, module) for name in given]
         names["Pictures"] += given
-    entries["Declaring elements and laws"] = [f".. automodule:: {z}\n   :members:\n" for z in DECLARATIONS]
+    entries["Parts of your own"] = [directive(name, "flexel.parts") for name in AUTHORING]
+    names["Parts of your own"] = list(AUTHORING)
+    entries["Declaring elements and laws"] = [
+        f".. automodule:: {module}\n   :members:\n" for module in DECLARATIONS
+    ]
     slugs = {title: f"api/{title.lower().replace(' ', '-').replace(',', '')}" for title in entries}
     rows = [
         (f"[{title}]({slugs[title]}.md)", ", ".join(f"`{name}`" for name in names.get(title, [])) or "–")
@@ -175,7 +193,7 @@ def api_pages() -> dict[str, str]:
     methods = method_pages()
     text = "# Public names\n\nAfter `import flexel as fx`, each of these is available as `fx.NAME`, except methods\n"
     text += (
-        "(`m` is a `Model`) and those of the last two topics, whose pages name their modules.\n\n"
+        "(`m` is a `Model`) and those of the last three topics, whose pages name their modules.\n\n"
         + table(("topic", "names"), rows)
     )
     text += "\n```{toctree}\n:hidden:\n\n" + "\n".join([*slugs.values(), *methods]) + "\n```\n"
@@ -187,7 +205,7 @@ def api_pages() -> dict[str, str]:
 
 
 def contents(folder: Path) -> str:
-    """Return the tables of contents: guides, systems, reference. A new page in the folder is in one of them."""
+    """Return the tables of contents: guides, systems, reference. A new page in the folder belongs to one of them."""
     found = {file.stem for file in folder.glob("*.md")} - {"index"}
     systems = [name for name in CASES if name in found]
     guides = [*FIRST, *sorted(found - {*FIRST, *REFERENCE, *systems})]
@@ -208,18 +226,16 @@ def write(folder: Path) -> None:
     out = folder / "_generated"
     rows = verification(out)
     for name, spec in ELEMENTS.items():
-        put(out / "elements" / f"{name}.md", element_page(spec, rows.get(name, [])))
+        picture = f"images/element_{name}.png"
+        link = f"../../{picture}" if (folder / picture).is_file() else ""
+        put(out / "elements" / f"{name}.md", element_page(spec, rows.get(name, []), link))
     put(out / "elements.md", elements_page())
     put(out / "laws.md", laws_page(rows))
     public = api_pages()
     for name, text in public.items():
         put(out / f"{name}.md", text)
     for file in (out / "api").glob("*.md"):
-        if f"api/{file.stem}" not in public:  # of a topic that is gone
+        if f"api/{file.stem}" not in public:  # of a removed topic
             file.unlink()
     put(out / "contents.md", contents(folder))
     write_report(folder, out / "verification.json", out / "report" / "report-latest.html")
-
-
-if __name__ == "__main__":
-    write(Path(__file__).resolve().parent)

@@ -1,4 +1,4 @@
-"""Write the latest report beside the pages: kernels verified now, the rest from the files that this folder keeps.
+"""Write the latest report next to the pages: kernels verified now, the rest from the files stored in this folder.
 
 The systems are those of ``quoted/``, the times those of ``measured.json``, the campaign that of ``verification.json``;
 the sanitizers those of ``report/``, which `make report` and a copy renew (see report.md).
@@ -9,11 +9,12 @@ from __future__ import annotations
 from datetime import UTC, datetime
 from pathlib import Path
 
-from flexel.commands.reproduce import CASES
+from report.making import version
+from report.page import page, sections, write
+from report.parts import files_in, read_parts
+
+from flexel.apps.cli.reproduce import CASES
 from flexel.generated.table import ELEMENTS, LAWS
-from flexel.report.making import version
-from flexel.report.page import page, sections, write
-from flexel.report.parts import files_in, read_parts
 
 KEPT = ("sanitize", "facts")
 NOTES = (
@@ -32,7 +33,7 @@ def write_report(docs: Path, verified: Path, target: Path) -> None:
     docs : Path
         This folder.
     verified : Path
-        What `flexel verify` found, as JSON.
+        The results of `flexel verify`, as JSON.
     """
     files = {part: files for part, files in files_in(docs / "report").items() if part in KEPT}
     files |= {
@@ -42,8 +43,8 @@ def write_report(docs: Path, verified: Path, target: Path) -> None:
         "campaign": [docs / "verification.json"],
     }
     parts = read_parts(files)
-    made = {part: z for part, z in parts.made.items() if part in KEPT}
-    names = [*ELEMENTS, *(f"law {z}" for z in LAWS)]
+    made = {part: note for part, note in parts.made.items() if part in KEPT}
+    names = [*ELEMENTS, *(f"law {law}" for law in LAWS)]
     found = sections(parts, names, list(CASES))
     target.parent.mkdir(parents=True, exist_ok=True)
     write(target, page(found, version(), f"{datetime.now(UTC):%Y-%m-%d}", made, NOTES))

@@ -46,7 +46,7 @@ class BicycleEnv(gymnasium.Env[Array, Array]):
     def reset(
         self, *, seed: int | None = None, options: dict[str, Any] | None = None
     ) -> tuple[Array, dict[str, Any]]:
-        """Upright, with a roll rate of up to 0.2 rad/s, or ``options={"roll_rate": …}``."""
+        """Start upright, with a roll rate of up to 0.2 rad/s, or ``options={"roll_rate": …}``."""
         super().reset(seed=seed)
         rate = (options or {}).get("roll_rate", float(self.np_random.uniform(-0.2, 0.2)))
         return self.stepper.reset(rolling(self.system, self.speed, rate)), {}
@@ -61,9 +61,9 @@ class BicycleEnv(gymnasium.Env[Array, Array]):
 
 
 def regulator(system: fx.System, speed: float = SPEED) -> Policy:
-    """The linear-quadratic regulator of lean and steer at a speed, from the analytic linearization."""
+    """Return the the linear-quadratic regulator of lean and steer at a speed, from the analytic linearization."""
     lin = system.linearize(rolling(system, speed, 0.0))
-    own = [lin.states.index(z) for z in OUTPUTS]
+    own = [lin.states.index(name) for name in OUTPUTS]
     A, B, _, _ = lin.state_space(["steer.angle"], [])
     A, B = A[np.ix_(own, own)], B[own]
     gain = B.T @ solve_continuous_are(A, B, np.diag([100.0, 1.0, 1.0, 0.1]), np.eye(1))
@@ -71,7 +71,7 @@ def regulator(system: fx.System, speed: float = SPEED) -> Policy:
 
 
 def ride(env: BicycleEnv, policy: Policy, roll_rate: float = 0.2) -> Array:
-    """Observations (nt, 4) of one episode with a policy."""
+    """Return the observations (nt, 4) of one episode with a policy."""
     observed, _ = env.reset(options={"roll_rate": roll_rate})
     rows, done = [observed], False
     while not done:

@@ -13,11 +13,11 @@ from pathlib import Path
 
 from flexel.examples import beams_dynamic as dynamic
 from flexel.examples import beams_static as static
-from flexel.results.report import Report
+from flexel.results.reproduction import Report
 
 
 def reproduce(out: Path | None = None) -> Report:
-    """All problems beside their references; figures in `out`, if given."""
+    """Compute all problems with their references; write figures to `out`, if given."""
     rows = [
         *static.large_deflections(),
         *static.buckling(),

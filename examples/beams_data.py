@@ -40,9 +40,13 @@ _SPINUP = published("spinup_beam")["cases"]
 
 
 def _table(rows: list[dict[str, Any]], *keys: str) -> Table:
-    """Columns of rows by name, as numbers; a key may name a list of numbers."""
+    """Return columns of rows by name, as numbers; a key may name a list of numbers."""
     return tuple(
-        tuple(float(z) for key in keys for z in (row[key] if isinstance(row[key], list) else [row[key]]))
+        tuple(
+            float(number)
+            for key in keys
+            for number in (row[key] if isinstance(row[key], list) else [row[key]])
+        )
         for row in rows
     )
 
@@ -65,7 +69,11 @@ TIP_FORCE_TOLERANCES = {  # of the mesh of 32 elements, the limit, the order
 POST_BUCKLED = _table(_ELASTICA["column_postbuckling"], "P_over_Pcr", "x_over_L", "y_over_L")
 
 # Load [lbf], tip [in] of the 45 degree bend (J = 1/6, no shear correction).
-_SIMO = [z for z in _BENT["bathe_bolourchi_45deg"]["results"] if z["case"].startswith("J=1/6, ks=1 ")]
+_SIMO = [
+    result
+    for result in _BENT["bathe_bolourchi_45deg"]["results"]
+    if result["case"].startswith("J=1/6, ks=1 ")
+]
 BEND_TIPS = _table(_SIMO, "P", "tip")
 
 # Princeton beam: y along the width; EIz is the stiffness in the plane of the width.
@@ -111,8 +119,10 @@ SHEARABLE_LOAD: float = _COLUMN["P_numeric"]
 
 # Right-angle frame, loaded along +x and -x [N]; legs of 240 mm, section 30 x 0.6 mm, J = b t³/3.
 _FRAME = _BUCKLING["right_angle_frame"]
-FRAME_LOADS: tuple[float, float] = tuple(_FRAME["results"]["J=b t^3/3"][z][0] for z in ("plus_x", "minus_x"))
-FRAME_SECTION: dict[str, float] = {z: float(_FRAME["data"][z]) for z in ("leg", "b", "t", "E", "nu")}
+FRAME_LOADS: tuple[float, float] = tuple(
+    _FRAME["results"]["J=b t^3/3"][case][0] for case in ("plus_x", "minus_x")
+)
+FRAME_SECTION: dict[str, float] = {name: float(_FRAME["data"][name]) for name in ("leg", "b", "t", "E", "nu")}
 
 # Hub radius/L, eta = W sqrt(rhoA L⁴/EI), three flap and three lag frequencies (times sqrt(rhoA L⁴/EI)).
 ROTATING_BLADES = _table(
@@ -120,7 +130,7 @@ ROTATING_BLADES = _table(
 )
 
 # Tip mass over beam mass, beta L of the first mode.
-TIP_MASSES = tuple((float(z), float(w)) for z, w in _FREQUENCIES["cantilever_tip_mass"].items())
+TIP_MASSES = tuple((float(mass), float(w)) for mass, w in _FREQUENCIES["cantilever_tip_mass"].items())
 
 # Square beams of length 1 m: E, nu, density.
 SQUARE = {"E": 2.07e11, "nu": 0.3, "rho": 7850.0}
@@ -135,4 +145,6 @@ SPIN_KANE: dict[str, float] = _SPINUP["Kane"]["data"]
 SPIN_SIMO_TIPS = _table(_SPINUP["Simo_VuQuoc"]["reference"], "t", "u1", "u2")
 SPIN_KANE_TIPS = _table(_SPINUP["Kane"]["reference"], "t", "u1", "u2")
 # Stretch at steady spin [m]: L (tan m/m - 1), m = W L sqrt(rhoA/EA).
-SPIN_STEADY: tuple[float, float] = tuple(_SPINUP[z]["steady_axial_exact"] for z in ("Simo_VuQuoc", "Kane"))
+SPIN_STEADY: tuple[float, float] = tuple(
+    _SPINUP[source]["steady_axial_exact"] for source in ("Simo_VuQuoc", "Kane")
+)

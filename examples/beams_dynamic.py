@@ -12,7 +12,7 @@ from flexel.base.arrays import Array
 from flexel.examples import beams_data as data
 from flexel.examples import beams_models as models
 from flexel.examples.convergence import converged, needed
-from flexel.results.report import Quantity
+from flexel.results.reproduction import Quantity
 
 SPIN_ROWS = {"simo": (2e-4, 1.2e-5, 3e-3), "kane": (4e-4, 4e-5, 6e-3)}  # tolerances: across, along, stretch
 SPIN_TOLERANCE = 1e-7  # of the implicit integrator, for the spin-up beam
@@ -30,27 +30,27 @@ SHAFT_SPINS = (0.0, 5.0, 10.0, 20.0)  # in units of sqrt(EI/(rho A L⁴))
 
 
 def frequencies(system: fx.System, state: fx.State, count: int) -> Array:
-    """Lowest frequencies (count,) of the linearized motion, from its eigenvalues."""
+    """Return the lowest frequencies (count,) of the linearized motion, from its eigenvalues."""
     w = np.sort(system.linearize(state).eigenvalues().imag)
     return np.asarray(w[w > 1e-9][:count])
 
 
 @cache
 def blade_frequencies(n: int, spin: float, hub: float, second_order: bool = True) -> Array:
-    """The six lowest frequencies of the rotating blade about its steady spin, rising."""
+    """Return the the six lowest frequencies of the rotating blade about its steady spin, rising."""
     system = models.blade(n, spin, hub, second_order)
     return frequencies(system, system.steady(), 6)
 
 
 def blade_reference(hub: float, spin: float) -> Array:
-    """The three flap and three lag frequencies of a row of the table, rising."""
-    row = next(z for z in data.ROTATING_BLADES if z[0] == hub and z[1] == spin)
+    """Return the the three flap and three lag frequencies of a row of the table, rising."""
+    row = next(blade for blade in data.ROTATING_BLADES if blade[0] == hub and blade[1] == spin)
     return np.sort(row[2:])
 
 
 @cache
 def whirl(n: int, spin: float) -> Array:
-    """Whirl frequencies (4,) of the first two modes in the inertial frame: backward negative, forward positive.
+    """Return the whirl frequencies (4,) of the first two modes in the inertial frame; backward is negative.
 
     The linearization in the deformations of the elements is one in the turning frame: there a whirl of frequency w
     has w - W.  Below the critical speed, backward whirls have the higher frequencies there, w_b + W.
@@ -64,7 +64,7 @@ def whirl(n: int, spin: float) -> Array:
 
 
 def whirl_reference(spin: float) -> Array:
-    """Closed form of `whirl`: mode 1 backward and forward, mode 2 backward and forward."""
+    """Return the closed form of `whirl`: mode 1 backward and forward, mode 2 backward and forward."""
     found = []
     for k in (1, 2):
         q, wn2 = (SHAFT_RADIUS * k * np.pi) ** 2, (k * np.pi) ** 4
@@ -74,17 +74,17 @@ def whirl_reference(spin: float) -> Array:
 
 
 def rest_frequencies(system: fx.System, count: int = 3) -> Array:
-    """Lowest frequencies (count,) about the state of rest."""
-    return np.array([z.omega for z in system.vibrations(count=count)])
+    """Return the lowest frequencies (count,) about the state of rest."""
+    return np.array([mode.omega for mode in system.vibrations(count=count)])
 
 
 def square_frequencies(height: float, supports: str, n: int) -> Array:
-    """Lowest three frequencies of a square beam with shear and rotary inertia."""
+    """Return the lowest three frequencies of a square beam with shear and rotary inertia."""
     return rest_frequencies(models.square_beam(n, height, supports))
 
 
 def vibrations() -> list[Quantity]:
-    """Rotating blades, whirl, shear and rotary inertia, tip mass."""
+    """Compare rotating blades, whirl, shear and rotary inertia, tip mass."""
     hubs, spins = (0.0, 1.0), tuple(row[1] for row in data.ROTATING_BLADES if row[0] == 0.0)
     keys = [(hub, spin) for hub in hubs for spin in spins]
     blades = np.array([blade_reference(*key) for key in keys])
@@ -94,14 +94,14 @@ def vibrations() -> list[Quantity]:
         return np.array([blade_frequencies(n, spin, hub) for hub, spin in keys])
 
     found = {n: all_blades(n) for n in (8, 16)}
-    whirls = np.array([whirl_reference(z) for z in SHAFT_SPINS])
+    whirls = np.array([whirl_reference(spin) for spin in SHAFT_SPINS])
     rows = [
         Quantity("rotating_blade", found[16], blades, 1.5e-4, "sqrt(EI/rhoAL4)",
                  data.ROTATING + "; 3 flap and 3 lag modes, hub radius 0 and L", {"elements": 16, "eta": list(spins)},
                  kind="own"),
         Quantity("rotating_blade_first", found[8][:, :2], first, 1e-3, "sqrt(EI/rhoAL4)",
                  data.ROTATING + "; first flap and lag", {"elements": 8}, kind="own"),
-        *converged("whirl", lambda n: np.array([whirl(n, z) for z in SHAFT_SPINS]), whirls, (8, 16, 32),
+        *converged("whirl", lambda n: np.array([whirl(n, spin) for spin in SHAFT_SPINS]), whirls, (8, 16, 32),
                    (3e-5, 2.5e-7, None), "sqrt(EI/rhoAL4)", data.WHIRL, "closed form"),
     ]  # fmt: skip
     for height, *exact in data.SQUARE_BEAMS:
@@ -130,7 +130,7 @@ def vibrations() -> list[Quantity]:
 
 @cache
 def spun_up(case: str, n: int, second_order: bool = True, tolerance: float = SPIN_TOLERANCE) -> fx.Motion:
-    """The motion of the spin-up beam, stored at the times of the reference."""
+    """Simulate the the motion of the spin-up beam, stored at the times of the reference."""
     p, table = spin_case(case)
     system = models.spin_up(n, p, second_order)
     return system.simulate(
@@ -139,20 +139,20 @@ def spun_up(case: str, n: int, second_order: bool = True, tolerance: float = SPI
 
 
 def spin_case(case: str) -> tuple[dict[str, float], Array]:
-    """Data and reference table (t, along, across) of "simo" or "kane"."""
+    """Return data and reference table (t, along, across) of "simo" or "kane"."""
     if case == "simo":
         return data.SPIN_SIMO, np.array(data.SPIN_SIMO_TIPS)
     return data.SPIN_KANE, np.array(data.SPIN_KANE_TIPS)
 
 
 def spin_tip(case: str, n: int, second_order: bool = True, tolerance: float = SPIN_TOLERANCE) -> Array:
-    """Displacement (nt, 2) of the tip in the turning frame."""
+    """Return the displacement (nt, 2) of the tip in the turning frame."""
     motion = spun_up(case, n, second_order, tolerance)
     return models.tip_in_turning_frame(motion, n, spin_case(case)[0]["L"])
 
 
 def spin_up() -> list[Quantity]:
-    """The spin-up beams of Simo and Vu-Quoc and of Kane, and the elements that the first one needs."""
+    """Compare the spin-up beams of Simo and Vu-Quoc and of Kane, and the elements that the first one needs."""
     rows = []
     compared: Any = {"kind": "own", "tolerance_kind": "absolute"}
     for case, source, steady in zip(
@@ -171,7 +171,7 @@ def spin_up() -> list[Quantity]:
 
 
 def spin_up_errors() -> list[Quantity]:
-    """Largest error across, over the peak, on coarse meshes with and without the second-order terms."""
+    """Return the largest error across, over the peak, on coarse meshes with and without the second-order terms."""
     exact, rows = spin_case("simo")[1][:, 2], []
     for second_order, meshes in ((True, (2, 4)), (False, (4, 8))):
         errors = [

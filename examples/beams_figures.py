@@ -1,4 +1,4 @@
-"""Pictures of the published beam problems."""
+"""Figures of the published beam problems."""
 
 from __future__ import annotations
 
@@ -9,18 +9,18 @@ from typing import Any
 import numpy as np
 
 from flexel import State, View
+from flexel.apps.view.figures import COLOURS, figure, save
 from flexel.base.arrays import Array
 from flexel.examples import beams_data as data
 from flexel.examples import beams_dynamic as dynamic
 from flexel.examples import beams_static as static
-from flexel.pictures.figures import COLOURS, figure, save
-from flexel.results.report import Quantity
+from flexel.results.reproduction import Quantity
 
 ELEMENTS = 16
 
 
 def pictures(rows: Sequence[Quantity], out: Path) -> list[Path]:
-    """Write all figures into a folder; returns what was written."""
+    """Write all figures to a folder; return their paths."""
     out.mkdir(parents=True, exist_ok=True)
     names: dict[str, Callable[[Sequence[Quantity], Path], None]] = {
         "large_deflections.png": large_deflections,
@@ -38,12 +38,12 @@ def pictures(rows: Sequence[Quantity], out: Path) -> list[Path]:
 
 
 def line(state: State, n: int) -> Array:
-    """Positions (n + 1, dimension) of the points of a chain."""
+    """Return the positions (n + 1, dimension) of the points of a chain."""
     return np.array([state.position(f"P{i}") for i in range(n + 1)])
 
 
 def large_deflections(rows: Sequence[Quantity], path: Path) -> None:
-    """Shapes of the elastica, of the roll-up and of the post-buckled column."""
+    """Draw the shapes of the elastica, of the roll-up and of the post-buckled column."""
     with figure(2, 2, size=(9.0, 7.0)) as (drawn, grid):
         axes = grid.flat
         for load, w, u in data.TIP_FORCE:
@@ -73,7 +73,7 @@ def large_deflections(rows: Sequence[Quantity], path: Path) -> None:
 
 
 def bend(rows: Sequence[Quantity], path: Path) -> None:
-    """The 45 degree bend under its loads, seen from two sides."""
+    """Draw the 45 degree bend under its loads, from two sides."""
     a = np.linspace(0, np.pi / 4, ELEMENTS + 1)
     start = np.stack([100 * (1 - np.cos(a)), 100 * np.sin(a), 0 * a], axis=1)
     with figure(1, 2, size=(9.0, 4.2)) as (drawn, axes):
@@ -93,9 +93,9 @@ def bend(rows: Sequence[Quantity], path: Path) -> None:
 
 
 def princeton(rows: Sequence[Quantity], path: Path) -> None:
-    """Flatwise and edgewise deflection and twist of the Princeton beam over the angle of the load."""
+    """Plot flatwise and edgewise deflection and twist of the Princeton beam over the angle of the load."""
     angles = np.array(static.PRINCETON_ANGLES)
-    found = np.array([static.princeton_tips(z, 16) for z in static.PRINCETON_ANGLES])
+    found = np.array([static.princeton_tips(angle, 16) for angle in static.PRINCETON_ANGLES])
     table = np.array(data.PRINCETON_TIPS)
     with figure(3, size=(8.0, 8.4), sharex=True) as (drawn, axes):
         names = (
@@ -118,7 +118,7 @@ def princeton(rows: Sequence[Quantity], path: Path) -> None:
 
 
 def convergence(rows: Sequence[Quantity], path: Path) -> None:
-    """Errors over the mesh."""
+    """Plot errors over the mesh."""
     problems = {
         "elastica_1": "elastica, PL²/EI = 1",
         "elastica_10": "elastica, PL²/EI = 10",
@@ -148,18 +148,23 @@ def convergence(rows: Sequence[Quantity], path: Path) -> None:
 
 
 def elements_needed(rows: Sequence[Quantity], path: Path) -> None:
-    """Elements needed for 1 % and for 0.1 %, with and without the second-order terms."""
+    """Plot the elements needed for 1 % and for 0.1 %, with and without the second-order terms."""
     counted = [row for row in rows if row.name.startswith("elements_for_")]
     place = np.arange(len(counted))
     with figure(1, 2, size=(9.0, 4.6), sharey=True) as (drawn, axes):
         for ax, bound, title in zip(axes, ("1pct", "0.1pct"), ("1 %", "0.1 %"), strict=True):
             for k, (suffix, label) in enumerate((("", "with"), ("_first_order", "without"))):
                 found: list[Any] = [row.more[f"elements_{bound}{suffix}"] for row in counted]
-                bars = ax.barh(place + 0.4 * k, [z or 0 for z in found], 0.38, color=COLOURS[k], label=label)
-                ax.bar_label(
-                    bars, labels=["none" if z is None else str(z) for z in found], padding=3, fontsize=8
+                bars = ax.barh(
+                    place + 0.4 * k, [count or 0 for count in found], 0.38, color=COLOURS[k], label=label
                 )
-            ax.margins(x=0.1)  # the numbers beside the bars
+                ax.bar_label(
+                    bars,
+                    labels=["none" if count is None else str(count) for count in found],
+                    padding=3,
+                    fontsize=8,
+                )
+            ax.margins(x=0.1)  # the numbers next to the bars
             ax.set(title=f"for {title}", xlabel="number of elements [-]")
         names = [row.name.removeprefix("elements_for_").replace("_", " ") for row in counted]
         axes[0].set_yticks(place + 0.2, labels=names)
@@ -170,21 +175,23 @@ def elements_needed(rows: Sequence[Quantity], path: Path) -> None:
 
 
 def rotation(rows: Sequence[Quantity], path: Path) -> None:
-    """Frequencies of the rotating blade and whirl frequencies of the shaft over the speed."""
+    """Plot frequencies of the rotating blade and whirl frequencies of the shaft over the speed."""
     spins, speeds = np.linspace(0, 12, 13), np.linspace(0, 20, 9)
     with figure(1, 2, size=(9.0, 4.2)) as (drawn, (left, right)):
         for k, second_order in enumerate((True, False)):
-            found = np.array([dynamic.blade_frequencies(4, z, 0.0, second_order) for z in spins])
+            found = np.array([dynamic.blade_frequencies(4, spin, 0.0, second_order) for spin in spins])
             label = ("4 elements", "4 elements, no second-order terms")[k]
             left.plot(spins, found[:, :4], ("-", "--")[k], color=COLOURS[k], label=[label, "", "", ""])
-        exact = [(z[1], w) for z in data.ROTATING_BLADES if z[0] == 0 for w in np.sort(z[2:])[:4]]
+        exact = [
+            (blade[1], w) for blade in data.ROTATING_BLADES if blade[0] == 0 for w in np.sort(blade[2:])[:4]
+        ]
         left.plot(*np.array(exact).T, "o", color="black", markersize=4, label="exact")
         left.set(
             xlabel="spin W √(ρA L⁴/EI) [-]", ylabel="frequency ω √(ρA L⁴/EI) [-]", title="Rotating blade"
         )
         left.legend(fontsize=8)
-        whirl = np.array([dynamic.whirl(8, z) for z in speeds])
-        exact_whirl = np.array([dynamic.whirl_reference(z) for z in speeds])
+        whirl = np.array([dynamic.whirl(8, speed) for speed in speeds])
+        exact_whirl = np.array([dynamic.whirl_reference(speed) for speed in speeds])
         for k, label in enumerate(("1 backward", "1 forward", "2 backward", "2 forward")):
             right.plot(speeds, np.abs(whirl[:, k]), color=COLOURS[k], label=label)
             right.plot(speeds, np.abs(exact_whirl[:, k]), "o", color="black", markersize=3)
@@ -200,7 +207,7 @@ def rotation(rows: Sequence[Quantity], path: Path) -> None:
 
 
 def spin_up(rows: Sequence[Quantity], path: Path) -> None:
-    """Tip displacement of the spin-up beams."""
+    """Plot tip displacements of the spin-up beams."""
     with figure(1, 2, size=(9.0, 4.0)) as (drawn, axes):
         for ax, case, title in zip(axes, ("simo", "kane"), ("Simo and Vu-Quoc", "Kane"), strict=True):
             table = dynamic.spin_case(case)[1]
@@ -215,6 +222,6 @@ def spin_up(rows: Sequence[Quantity], path: Path) -> None:
 
 
 def animation(rows: Sequence[Quantity], path: Path) -> None:
-    """The first spin-up beam, to be turned and played in a browser."""
+    """Write the first spin-up beam as an interactive page for the browser."""
     title = "Spin-up of a flexible beam, after Simo and Vu-Quoc; 8 elements"
     dynamic.spun_up("simo", 8).view(path, view=View(trails=["P8"]), title=title)

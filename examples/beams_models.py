@@ -19,7 +19,7 @@ BENDING = ("bend1", "bend2", "bend3", "bend4")
 
 
 def lay(m: fx.Model, points: Sequence[Any], **section: Any) -> None:
-    """Beam elements between points, from the present P0 and R0 on; spatial if R0 is a frame, else planar."""
+    """Add beam elements between points, from the present P0 and R0 on; spatial if R0 is a frame, else planar."""
     spatial = m.nodes["R0"].kind == "frame"
     for i, x in enumerate(points, start=1):
         q = m.point(f"P{i}", x)
@@ -28,7 +28,7 @@ def lay(m: fx.Model, points: Sequence[Any], **section: Any) -> None:
 
 
 def clamped(points: Sequence[Any], **section: Any) -> fx.Model:
-    """A beam clamped at the first of the points (three coordinates: spatial; two: planar)."""
+    """Build a model with a beam clamped at the first of the points (three coordinates: spatial; two: planar)."""
     m = fx.Model()
     m.point("P0", points[0], fixed=True)
     if len(points[0]) == 3:
@@ -41,19 +41,19 @@ def clamped(points: Sequence[Any], **section: Any) -> fx.Model:
 
 
 def straight(n: int, length: float = 1.0, dimension: int = 3) -> list[tuple[float, ...]]:
-    """The ends of n equal elements along the x axis."""
+    """Return the the ends of n equal elements along the x axis."""
     return [(length * i / n, *([0.0] * (dimension - 1))) for i in range(n + 1)]
 
 
 def planar(n: int, length: float = 1.0, **section: Any) -> fx.Model:
-    """A planar cantilever along x; without EA it is inextensible."""
+    """Build a planar cantilever along x; without EA it is inextensible."""
     return clamped(straight(n, length, 2), **section)
 
 
 def bend(n: int, second_order: bool = True) -> fx.System:
-    """The 45 degree bend in straight elements along the arc; its load at time t is t upwards."""
+    """Build the 45 degree bend of straight elements along the arc; its load at time t is t upwards."""
     a = np.linspace(0.0, np.pi / 4, n + 1)
-    arc = [(100 * (1 - np.cos(z)), 100 * np.sin(z), 0.0) for z in a]
+    arc = [(100 * (1 - np.cos(angle)), 100 * np.sin(angle), 0.0) for angle in a]
     E, G, moment = 1e7, 5e6, 1 / 12
     m = clamped(
         arc, direction=(0, 0, 1), EA=E, GJ=G / 6, EIy=E * moment, EIz=E * moment, GAy=G, GAz=G,
@@ -64,7 +64,7 @@ def bend(n: int, second_order: bool = True) -> fx.System:
 
 
 def princeton(n: int, degrees: float, **options: Any) -> fx.System:
-    """The Princeton beam with a tip load t at an angle from the width; options of its beams."""
+    """Build the Princeton beam with a tip load t at an angle from the width; options of its beams."""
     m = clamped(straight(n, data.PRINCETON_LENGTH), **options, **data.PRINCETON_SECTION)
     c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
     m.load(f"P{n}", (0, fx.Polynomial((0.0, c)), fx.Polynomial((0.0, s))))
@@ -72,7 +72,7 @@ def princeton(n: int, degrees: float, **options: Any) -> fx.System:
 
 
 def narrow(n: int, second_order: bool = True, **section: float) -> fx.System:
-    """The narrow cantilever with its tip load t downwards in the stiff plane."""
+    """Build the narrow cantilever with its tip load t downwards in the stiff plane."""
     inertia = {"mass_per_length": 1.0, "inertia_per_length": (1, 0, 0)}
     m = clamped(straight(n), second_order=second_order, **inertia, **section)
     m.load(f"P{n}.y", fx.Polynomial((0.0, -1.0)))
@@ -80,7 +80,7 @@ def narrow(n: int, second_order: bool = True, **section: float) -> fx.System:
 
 
 def column(n: int, supports: str, **section: Any) -> fx.System:
-    """A planar column of length 1 and EI = 1 under a load t; supports as in `data.EULER_FACTORS`."""
+    """Build a planar column of length 1 and EI = 1 under a load t; supports as in `data.EULER_FACTORS`."""
     m = fx.Model()
     m.point("P0", (0, 0), fixed=True)
     first, last = supports.split("-")
@@ -95,7 +95,7 @@ def column(n: int, supports: str, **section: Any) -> fx.System:
 
 
 def bent_column(n: int, load: float, second_order: bool = True) -> fx.System:
-    """A cantilever column that an end load bends; a push from the side while t < 1 chooses the side."""
+    """Build a cantilever column that an end load bends; a push from the side while t < 1 chooses the side."""
     m = planar(n, EIz=1.0, second_order=second_order)
     m.load(f"P{n}.x", fx.Polynomial((0.0, -load)))
     m.load(f"P{n}.y", fx.Polynomial((0.0, 3.0, -3.0)))
@@ -103,8 +103,8 @@ def bent_column(n: int, load: float, second_order: bool = True) -> fx.System:
 
 
 def right_angle_frame(n: int, second_order: bool = True) -> fx.System:
-    """The right-angle frame (units N and mm) with n elements a leg and the load t along x."""
-    leg, b, t, E = (data.FRAME_SECTION[z] for z in ("leg", "b", "t", "E"))
+    """Build the right-angle frame (units N and mm) with n elements a leg and the load t along x."""
+    leg, b, t, E = (data.FRAME_SECTION[name] for name in ("leg", "b", "t", "E"))
     G = E / (2 * (1 + data.FRAME_SECTION["nu"]))
     points = straight(n, leg) + [(leg, -leg * i / n, 0.0) for i in range(1, n + 1)]
     m = clamped(
@@ -116,7 +116,7 @@ def right_angle_frame(n: int, second_order: bool = True) -> fx.System:
 
 
 def blade(n: int, spin: float, hub: float = 0.0, second_order: bool = True) -> fx.System:
-    """An inextensible blade of unit length, mass and stiffness on a hub that spins about z."""
+    """Build an inextensible blade of unit length, mass and stiffness on a hub that spins about z."""
     m = fx.Model()
     ground, r = m.frame("ground", fixed=True), m.frame("R0")
     m.hinge("hub", ground, r, axis=(0, 0, 1))
@@ -127,12 +127,12 @@ def blade(n: int, spin: float, hub: float = 0.0, second_order: bool = True) -> f
     points = [(hub + i / n, 0, 0) for i in range(1, n + 1)]
     lay(m, points, direction=(0, 1, 0), EIy=1.0, EIz=1.0, mass_per_length=1.0, second_order=second_order)
     # Deformations, not coordinates: they rest in the turning frame, so that the steady spin is where they do.
-    m.independent(*(f"b{i}.{z}" for i in range(1, n + 1) for z in BENDING))
+    m.independent(*(f"b{i}.{mode}" for i in range(1, n + 1) for mode in BENDING))
     return m.build()
 
 
 def shaft(n: int, spin: float, radius: float, second_order: bool = True) -> fx.System:
-    """A simply supported round shaft of unit length, mass and stiffness; `radius` of gyration I/A = radius²."""
+    """Build a simply supported round shaft of unit length, mass and stiffness; `radius` of gyration I/A = radius²."""
     m = fx.Model()
     ground, drive, r = m.frame("ground", fixed=True), m.frame("drive"), m.frame("R0")
     m.point("P0", (0, 0, 0), fixed=True)
@@ -147,13 +147,13 @@ def shaft(n: int, spin: float, radius: float, second_order: bool = True) -> fx.S
         inertia_per_length=(2 * J, J, J), second_order=second_order,
     )  # fmt: skip
     m.fix(f"P{n}.y", f"P{n}.z")
-    m.independent(*(f"b{i}.{z}" for i in range(1, n + 1) for z in BENDING))
+    m.independent(*(f"b{i}.{mode}" for i in range(1, n + 1) for mode in BENDING))
     return m.build()
 
 
 def square_beam(n: int, height: float, supports: str) -> fx.System:
-    """A planar beam of square section with shear and rotary inertia, a cantilever or pinned at both ends."""
-    E, nu, rho = (data.SQUARE[z] for z in ("E", "nu", "rho"))
+    """Build a planar beam of square section with shear and rotary inertia, a cantilever or pinned at both ends."""
+    E, nu, rho = (data.SQUARE[name] for name in ("E", "nu", "rho"))
     A, moment = height**2, height**4 / 12
     GA = 10 * (1 + nu) / (12 + 11 * nu) * A * E / (2 * (1 + nu))
     m = fx.Model()
@@ -169,14 +169,14 @@ def square_beam(n: int, height: float, supports: str) -> fx.System:
 
 
 def beam_with_tip_mass(n: int, mass: float) -> fx.System:
-    """An inextensible planar cantilever of unit length, mass and stiffness with a point mass at its tip."""
+    """Build an inextensible planar cantilever of unit length, mass and stiffness with a point mass at its tip."""
     m = planar(n, EIz=1.0, mass_per_length=1.0)
     m.point_mass("tip mass", f"P{n}", mass)
     return m.build()
 
 
 def spin_up(n: int, p: dict[str, float], second_order: bool = True) -> fx.System:
-    """The planar beam that is spun up to the speed p["ws"] in the time p["T"]."""
+    """Build the planar beam that is spun up to the speed p["ws"] in the time p["T"]."""
     speed, T = p["ws"], p["T"]
     k = 2 * np.pi / T
     motion = (
@@ -196,6 +196,6 @@ def spin_up(n: int, p: dict[str, float], second_order: bool = True) -> fx.System
 
 
 def tip_in_turning_frame(motion: fx.Motion, n: int, length: float) -> Array:
-    """Displacement (nt, 2) of the tip along and across the clamped end's direction."""
+    """Return the displacement (nt, 2) of the tip along and across the clamped end's direction."""
     a, x, y = motion["R0.angle"], motion[f"P{n}.x"], motion[f"P{n}.y"]
     return np.stack([x * np.cos(a) + y * np.sin(a) - length, y * np.cos(a) - x * np.sin(a)], axis=1)

@@ -19,7 +19,7 @@ from flexel.base.quaternions import matrix
 from flexel.examples import beams_data as data
 from flexel.examples import beams_models as models
 from flexel.examples.convergence import MeshError, converged, needed, order, order_row, romberg
-from flexel.results.report import Quantity
+from flexel.results.reproduction import Quantity
 
 SHEAR_NOTE = "with shear the classic deformations have a limit off by the order of EI/(GA L²)"
 SHEARABLE = "P (1 + P/GA - P/EA) = pi² EI/(4 L²)"
@@ -32,21 +32,21 @@ PRINCETON_ANGLES = (0.0, 15.0, 30.0, 45.0, 60.0, 75.0, 90.0)  # of the load from
 
 @cache
 def elastica(load: float, n: int, second_order: bool = True) -> fx.State:
-    """The inextensible cantilever under a transverse tip force P = load EI/L²."""
+    """Return the shape of the inextensible cantilever under a transverse tip force P = load EI/L²."""
     m = models.planar(n, EIz=1.0, second_order=second_order)
     m.load(f"P{n}.y", load)
     return m.build().equilibrium()
 
 
 def elastica_tip(load: float, n: int, second_order: bool = True) -> Array:
-    """Deflection and shortening (2,) of the tip."""
+    """Return deflection and shortening (2,) of the tip."""
     tip = elastica(load, n, second_order).position(f"P{n}")
     return np.array([tip[1], 1.0 - tip[0]])
 
 
 @cache
 def rolled_up(turns: float, n: int, second_order: bool = True) -> fx.State:
-    """The cantilever rolled up by an end moment into `turns` full circles."""
+    """Roll the cantilever up by an end moment into `turns` full circles."""
     m = models.planar(n, EIz=1.0, second_order=second_order)
     m.load(f"R{n}", 2 * np.pi * turns)
     return m.build().equilibrium()
@@ -54,7 +54,7 @@ def rolled_up(turns: float, n: int, second_order: bool = True) -> fx.State:
 
 @cache
 def bend_states(n: int, second_order: bool = True) -> tuple[fx.State, ...]:
-    """The 45 degree bend under each of the published loads."""
+    """Compute the 45 degree bend under each of the published loads."""
     system = models.bend(n, second_order)
     states: list[fx.State] = []
     for load, *_ in data.BEND_TIPS:
@@ -63,13 +63,13 @@ def bend_states(n: int, second_order: bool = True) -> tuple[fx.State, ...]:
 
 
 def bend_tips(n: int, second_order: bool = True) -> Array:
-    """Tip positions (loads, 3) of the 45 degree bend."""
-    return np.array([z.position(f"P{n}") for z in bend_states(n, second_order)])
+    """Compute the tip positions (loads, 3) of the 45 degree bend."""
+    return np.array([state.position(f"P{n}") for state in bend_states(n, second_order)])
 
 
 @cache
 def princeton_tips(degrees: float, n: int, second_order: bool = True, rotations: str = "classic") -> Array:
-    """u, edgewise and flatwise deflection, twist (loads, 4) of the Princeton beam."""
+    """Compute u, edgewise and flatwise deflection, and twist (loads, 4) of the Princeton beam."""
     system = models.princeton(n, degrees, second_order=second_order, rotations=rotations)
     state, rows = None, []
     for load in sorted({row[0] for row in data.PRINCETON_TIPS}):
@@ -82,7 +82,7 @@ def princeton_tips(degrees: float, n: int, second_order: bool = True, rotations:
 
 @cache
 def post_buckled(load: float, n: int, second_order: bool = True) -> fx.State:
-    """The cantilever column under `load` times its Euler load."""
+    """Compute the cantilever column under `load` times its Euler load."""
     path = models.bent_column(n, load * np.pi**2 / 4, second_order).static_path(t_end=1.0)
     if path.message:
         raise fx.PositionError(path.message)
@@ -91,13 +91,13 @@ def post_buckled(load: float, n: int, second_order: bool = True) -> fx.State:
 
 
 def lateral_factor(n: int, second_order: bool = True) -> float:
-    """P L² / sqrt(EIy GJ) of the narrow cantilever, straight until it buckles."""
+    """Compute P L² / sqrt(EIy GJ) of the narrow cantilever, straight until it buckles."""
     system = models.narrow(n, second_order, EA=1e7, GJ=1.0, EIy=1.0, EIz=1e4)
     return abs(system.buckling(increment={f"P{n}.y": -1.0}, count=1)[0].multiplier)
 
 
 def critical_load(system: fx.System, low: float, high: float) -> float:
-    """The load parameter between two at which the lowest frequency about equilibrium falls to zero."""
+    """Find the load parameter between two at which the lowest frequency about equilibrium falls to zero."""
 
     def stiffness(load: float) -> float:
         with warnings.catch_warnings():
@@ -118,24 +118,24 @@ def prebent_load(n: int, second_order: bool = True) -> float:
 
 @cache
 def frame_load(n: int, sense: int, second_order: bool = True) -> float:
-    """Critical load [N] of the right-angle frame along +x or -x (sense 1 or -1), n elements a leg."""
+    """Find the critical load [N] of the right-angle frame along +x or -x (sense 1 or -1), n elements a leg."""
     known = data.FRAME_LOADS[0 if sense > 0 else 1]
     return critical_load(models.right_angle_frame(n, second_order), 0.8 * known, 1.3 * known)
 
 
 def frame_loads(n: int) -> Array:
-    """Critical loads (2,) [N] of the right-angle frame along +x and -x."""
+    """Find the critical loads (2,) [N] of the right-angle frame along +x and -x."""
     return np.array([frame_load(n, 1), frame_load(n, -1)])
 
 
 def euler_factor(supports: str, n: int, second_order: bool = True) -> float:
-    """Critical load of an inextensible column over EI/L²."""
+    """Find the critical load of an inextensible column over EI/L²."""
     system = models.column(n, supports, second_order=second_order)
     return system.buckling(increment={f"P{n}.x": -1.0}, count=1)[0].multiplier
 
 
 def column_load(n: int, section: dict[str, Any]) -> float:
-    """Critical load of an extensible or shearable column, at the shortened state."""
+    """Find the critical load of an extensible or shearable column, at the shortened state."""
     return critical_load(models.column(n, "clamped-free", **section), 1.0, 3.0)
 
 
@@ -143,7 +143,7 @@ def column_load(n: int, section: dict[str, Any]) -> float:
 
 
 def large_deflections() -> list[Quantity]:
-    """Elastica, roll-up, post-buckled column, 45 degree bend, Princeton beam."""
+    """Compare elastica, roll-up, post-buckled column, 45 degree bend, Princeton beam."""
     meshes, rows = (8, 16, 32), []
     for load, w, u in data.TIP_FORCE:
         rows += converged(
@@ -152,7 +152,7 @@ def large_deflections() -> list[Quantity]:
         )  # fmt: skip
     circle, meshes = np.array([0.0, 0.0]), (16, 32, 64)
     tips = [rolled_up(1.0, n).position(f"P{n}") for n in meshes]
-    gaps = [float(np.linalg.norm(z)) for z in tips]
+    gaps = [float(np.linalg.norm(tip)) for tip in tips]
     mesh = {"elements": meshes[-1], "order": order(gaps), "meshes": list(meshes), "errors": gaps}
     limit = {"elements": list(meshes)}
     rows += [
@@ -173,16 +173,16 @@ def large_deflections() -> list[Quantity]:
 
 
 def princeton() -> list[Quantity]:
-    """The Princeton beam: displacements and twist at all angles, three loads each.
+    """Compare the Princeton beam: displacements and twist at all angles, three loads each.
 
     Without shear and extension the limit of the classic beam agrees with an exact rod to 1e-10 (compared once, by
     hand); with them it is 4e-6 rad of the twist off, that of beams with logarithmic rotations is not.
     """
-    meshes, reference = (8, 16, 32), {z: _princeton_reference(z) for z in PRINCETON_ANGLES}
-    everything = np.array([reference[z] for z in PRINCETON_ANGLES])
+    meshes, reference = (8, 16, 32), {angle: _princeton_reference(angle) for angle in PRINCETON_ANGLES}
+    everything = np.array([reference[angle] for angle in PRINCETON_ANGLES])
 
     def all_angles(n: int, rotations: str = "classic") -> Array:
-        return np.array([princeton_tips(z, n, rotations=rotations) for z in PRINCETON_ANGLES])
+        return np.array([princeton_tips(angle, n, rotations=rotations) for angle in PRINCETON_ANGLES])
 
     return [
         *converged(
@@ -205,11 +205,12 @@ def _princeton_reference(degrees: float) -> Array:
 
 
 def buckling() -> list[Quantity]:
-    """Lateral buckling, Euler columns, the right-angle frame."""
+    """Compare lateral buckling, Euler columns, the right-angle frame."""
     n_golden = [row[0] for row in data.LATERAL_ERRORS]
     golden = np.array([row[1:] for row in data.LATERAL_ERRORS])
     errors = [
-        [100 * (lateral_factor(n, z) / data.LATERAL_FACTOR - 1) for z in (False, True)] for n in n_golden
+        [100 * (lateral_factor(n, second_order) / data.LATERAL_FACTOR - 1) for second_order in (False, True)]
+        for n in n_golden
     ]
     rows = [
         *converged(
@@ -256,7 +257,7 @@ def buckling() -> list[Quantity]:
 
 
 def meshes_needed() -> list[Quantity]:
-    """What the second-order terms are for: elements needed for 1 % and for 0.1 %."""
+    """Show the use of the second-order terms: elements needed for 1 % and for 0.1 %."""
     w = {load: np.array(tip) for load, *tip in data.TIP_FORCE}
     princeton_45 = _princeton_reference(45.0)
     drawn = np.array([100 * (1 - np.sqrt(0.5)), 100 * np.sqrt(0.5), 0.0])

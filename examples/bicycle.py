@@ -15,18 +15,19 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from scipy.optimize import brentq
 
 import flexel as fx
 from flexel.base.arrays import Array
 from flexel.base.quaternions import matrix
 from flexel.examples import bicycle_data as data
+from flexel.examples import whipple
+from flexel.examples.bicycle_file import of_the_file
 from flexel.examples.reasons import ROUNDING, STEPS
+from flexel.examples.stable_speeds import LEAN_STEER, by_formulas, stable_speeds
 from flexel.integration.minimal import natural_scales_of_y
 from flexel.mechanics.modes import Reduced
-from flexel.results.report import Quantity, Report
+from flexel.results.reproduction import Quantity, Report
 
-LEAN_STEER = ("lean.angle", "steer.angle")
 SPEEDS = range(11)  # of the eigenvalue table [m/s]
 KICK_SPEEDS = (3.5, 4.5, 6.3)  # of the talk: below, within and above the stable range [m/s]
 KICK_SECONDS = 10.0
@@ -34,12 +35,12 @@ HEAD_HEIGHT = 0.9  # where the two beams meet on the steering axis [m]; any othe
 
 
 def bicycle(p: Mapping[str, float] = data.BENCHMARK, crown: float = 0.0) -> fx.System:
-    """The bicycle upright at the origin; parameters as for `model`."""
+    """Build the bicycle upright at the origin; parameters as for `model`."""
     return model(p, crown).build()
 
 
 def model(p: Mapping[str, float] = data.BENCHMARK, crown: float = 0.0) -> fx.Model:
-    """The model of the bicycle upright at the origin.
+    """Return the model of the bicycle upright at the origin.
 
     Parameters
     ----------
@@ -82,7 +83,7 @@ def mechanism(m: fx.Model, p: Mapping[str, float]) -> None:
 
 
 def _bodies(m: fx.Model, p: Mapping[str, float], head: Array) -> None:
-    """The four bodies; mass centres of B and H relative to the points that carry them."""
+    """Add the the four bodies; mass centres of B and H relative to the points that carry them."""
     B = (p["IBxx"], p["IByy"], p["IBzz"], 0, p["IBxz"], 0)
     H = (p["IHxx"], p["IHyy"], p["IHzz"], 0, p["IHxz"], 0)
     R, F = (p["IRxx"], p["IRyy"], p["IRxx"]), (p["IFxx"], p["IFyy"], p["IFxx"])
@@ -97,12 +98,14 @@ def _bodies(m: fx.Model, p: Mapping[str, float], head: Array) -> None:
 
 
 def rolling(system: fx.System, speed: float, roll_rate: float = 0.0) -> fx.State:
-    """Upright, straight ahead at a speed [m/s], turning about the ground line with a roll rate [rad/s]."""
-    return system.state_at(rates={"rear hub.x": speed, "lean.angle": roll_rate, "steer.angle": 0.0})
+    """Return the upright state straight ahead at a speed [m/s], with a roll rate [rad/s] about the ground line."""
+    # the rates of all degrees of freedom: no other rates have to be chosen
+    spin = -speed / system.parameters["rear.radius"].item()
+    return system.state_at(rates={"lean.angle": roll_rate, "steer.angle": 0.0, "rear spin.angle": spin})
 
 
 def steady(system: fx.System, speed: float, lean: float = 0.0, steer: float = 0.0) -> fx.State:
-    """Steady motion at a speed, looked for from a leaning and steered state (and only confirmed from upright)."""
+    """Find the steady motion at a speed, starting from a leaning and steered state (upright merely confirms it)."""
     start = rolling(system, speed)
     if lean or steer:
         start = system.state_at({"lean.angle": lean, "steer.angle": steer}, start=start)
@@ -110,49 +113,29 @@ def steady(system: fx.System, speed: float, lean: float = 0.0, steer: float = 0.
 
 
 def lean_steer(system: fx.System, speed: float) -> Reduced:
-    """Linear equations of lean and steer about the steady motion, after a check that nothing else enters them."""
+    """Linearize lean and steer about the steady motion, after a check that nothing else enters the equations."""
     return system.linearize(steady(system, speed)).reduced(LEAN_STEER)
 
 
 def matrices(system: fx.System, gravity: float) -> dict[str, Array]:
-    """M, C1, K0, K2 of M q'' + v C1 q' + (g K0 + v² K2) q = 0, from linearizations at 1 and 2 m/s."""
+    """Return M, C1, K0, K2 of M q'' + v C1 q' + (g K0 + v² K2) q = 0, from linearizations at 1 and 2 m/s."""
     one, two = lean_steer(system, 1.0), lean_steer(system, 2.0)
     K2 = (two.K - one.K) / 3
     return {"M": one.M, "C1": two.C / 2, "K0": (one.K - K2) / gravity, "K2": K2}
 
 
 def eigenvalues(system: fx.System, speeds: Array) -> Array:
-    """Eigenvalues (nv, 4) [1/s] of the lean-steer block, linearized again at each speed."""
+    """Compute the eigenvalues (nv, 4) [1/s] of the lean-steer block, linearized again at each speed."""
     return np.array([lean_steer(system, float(v)).eigenvalues() for v in speeds])
 
 
 def stable_range(system: fx.System, fastest: float = 12.0) -> tuple[float, float | None]:
-    """Weave speed and capsize speed [m/s] (None: no capsize below `fastest`), as roots on the lean-steer block."""
-
-    def weave(v: float) -> float:
-        """Real part of the complex pair, positive where there is none."""
-        w = lean_steer(system, v).eigenvalues()
-        pair = w[np.abs(w.imag) > 1e-6]
-        return float(np.max(pair.real)) if pair.size else 1.0
-
-    def capsize(v: float) -> float:
-        return float(np.linalg.det(lean_steer(system, v).K))
-
-    grid = np.linspace(0.0, fastest, 49)
-    oscillation, divergence = [weave(v) for v in grid], [capsize(v) for v in grid]
-    last = max(i for i in range(grid.size) if oscillation[i] > 0)
-    fall = [i for i in range(grid.size - 1) if divergence[i] > 0 >= divergence[i + 1]]
-    return _root(weave, grid[last], grid[last + 1]), _root(
-        capsize, grid[fall[-1]], grid[fall[-1] + 1]
-    ) if fall else None
-
-
-def _root(function: object, a: float, b: float) -> float:
-    return float(brentq(function, a, b, xtol=1e-13, rtol=8.9e-16))  # type: ignore[call-overload]
+    """Weave speed and capsize speed [m/s], see `stable_speeds`."""
+    return stable_speeds(lambda v: lean_steer(system, v), fastest)
 
 
 def kick(system: fx.System, speed: float, seconds: float = KICK_SECONDS, rtol: float = 1e-10) -> fx.Motion:
-    """The nonlinear motion after a kick from the side: rolling upright with a roll rate of 0.05 rad/s."""
+    """Simulate a kick from the side: rolling upright with a roll rate of 0.05 rad/s."""
     start = rolling(system, speed, data.ROLL_RATE)
     times = np.linspace(0.0, seconds, round(40 * seconds) + 1)
     atol = rtol / 100 / natural_scales_of_y(system.kinematics)  # the same for metres and radians
@@ -162,45 +145,49 @@ def kick(system: fx.System, speed: float, seconds: float = KICK_SECONDS, rtol: f
 
 
 def energy_drift(motion: fx.Motion) -> float:
-    """Largest |E - E0| / E0, with no potential energy at ground level."""
+    """Return the largest |E - E0| / E0, with no potential energy at ground level."""
     E = motion.energy["total"]
     return float(np.max(np.abs(E - E[0])) / abs(E[0]))
 
 
 def forward_speed(state: fx.State) -> float:
-    """Velocity of the rear hub along the rear frame's x axis [m/s]."""
+    """Return the velocity of the rear hub along the rear frame's x axis [m/s]."""
     return float(matrix(state.position("rear frame"))[:, 0] @ state.velocity("rear hub"))
 
 
 def manoeuvre_m1(motion: fx.Motion) -> Array:
-    """The columns `data.M1_COLUMNS` (17, 8) of manoeuvre M1 at the times of the reference."""
+    """Return the columns `data.M1_COLUMNS` (17, 8) of manoeuvre M1 at the times of the reference."""
     states = [motion.at(row[0]) for row in data.M1]
     names = data.M1_COLUMNS[1:]
-    return np.array([[z.t, *(z.rate(n[:-1]) if n.endswith("'") else z[n] for n in names)] for z in states])
+    return np.array(
+        [[state.t, *(state.rate(n[:-1]) if n.endswith("'") else state[n] for n in names)] for state in states]
+    )
 
 
 @dataclass(frozen=True)
-class Results:
-    """Everything that is computed, for the table and for the pictures."""
+class BicycleResults:
+    """All computed results, for the table and for the figures."""
 
     system: fx.System
     matrices: dict[str, Array]
     eigenvalues: Array
     range: tuple[float, float | None]
+    points: tuple[float, float | None]
     measured: dict[str, tuple[float, float | None]]
     steady: list[fx.State]
     m1: fx.Motion
     kicks: dict[float, fx.Motion]
 
 
-def analyse() -> Results:
+def analyse() -> BicycleResults:
     """Run all analyses."""
     system = bicycle()
-    return Results(
+    return BicycleResults(
         system=system,
         matrices=matrices(system, data.BENCHMARK["g"]),
         eigenvalues=eigenvalues(system, np.array(SPEEDS, dtype=float)),
         range=stable_range(system),
+        points=stable_range(bicycle(data.POINTS)),
         measured={name: stable_range(bicycle(p)) for name, p in data.MEASURED.items()},
         steady=[steady(system, float(v), lean=0.005, steer=-0.005) for v in SPEEDS],
         m1=kick(system, data.M1_SPEED, 5.0, rtol=1e-12),
@@ -212,7 +199,7 @@ def analyse() -> Results:
 
 
 def reproduce(out: Path | None = None) -> Report:
-    """All quantities beside their references; figures and an animation in `out`, if given."""
+    """Compute all quantities with their references; write figures and an animation to `out`, if given."""
     results = analyse()
     files: list[Path] = []
     if out is not None:
@@ -220,12 +207,14 @@ def reproduce(out: Path | None = None) -> Report:
 
         files = pictures(results, out)
     return Report(
-        "bicycle", [*counts(results), *linear(results), *manoeuvre(results), *kicks(results)], files
+        "bicycle",
+        [*counts(results), *linear(results), *of_the_file(), *manoeuvre(results), *kicks(results)],
+        files,
     )
 
 
-def counts(results: Results) -> list[Quantity]:
-    """Size of the model."""
+def counts(results: BicycleResults) -> list[Quantity]:
+    """Compare the size of the model."""
     found = results.system.counts
     return [
         Quantity("degrees_of_freedom", found["degrees_of_freedom"], 3, 0, "", data.TALK, kind="published"),
@@ -237,13 +226,17 @@ def counts(results: Results) -> list[Quantity]:
     ]
 
 
-def linear(results: Results) -> list[Quantity]:
-    """Steady motion, linear equations, eigenvalues, stable ranges."""
+def linear(results: BicycleResults) -> list[Quantity]:
+    """Compare steady motion, linear equations, eigenvalues, stable ranges."""
     published = {"M": data.M, "C1": data.C1, "K0": data.K0, "K2": data.K2}
     units = {"M": "kg m2", "C1": "kg m", "K0": "kg m", "K2": "kg"}
     angles = [[state[name] for name in LEAN_STEER] for state in results.steady]
-    residual = max(abs(state.acceleration(z)) for state in results.steady for z in results.system.dynamic)
+    residual = max(
+        abs(state.acceleration(name)) for state in results.steady for name in results.system.dynamic
+    )
     weave, capsize = results.range
+    formulas = by_formulas(whipple.matrices(data.POINTS), data.POINTS["g"])
+    points, by_formula = (np.array(pair, dtype=float) for pair in (results.points, stable_speeds(formulas)))
     speeds = {name: pair for name, pair in results.measured.items() if pair[1] is not None}
     found = np.array(list(speeds.values()), dtype=float)
     expected = np.array([list(data.MEASURED_SPEEDS[name].values()) for name in speeds], dtype=float)
@@ -252,20 +245,22 @@ def linear(results: Results) -> list[Quantity]:
                  "0 by symmetry, found from a leaning bicycle, v = 0 ... 10 m/s", kind="closed form", reason=ROUNDING),
         Quantity("steady_residual", residual, 0.0, 3e-10, "rad/s2", "0; largest acceleration of the motions found",
                  kind="closed form", reason=ROUNDING),
-        *(Quantity(k, results.matrices[k], z, 2e-12, units[k], data.PAPER, kind="published",
-                   tolerance_kind="absolute") for k, z in published.items()),
+        *(Quantity(k, results.matrices[k], expected, 2e-12, units[k], data.PAPER, kind="published",
+                   tolerance_kind="absolute") for k, expected in published.items()),
         Quantity("eigenvalues", results.eigenvalues, data.EIGENVALUES, 1e-11, "1/s", data.EXACT,
                  kind="own", reason=f"{ROUNDING}; some entries are small"),
         Quantity("weave_speed", weave, data.WEAVE_SPEED, 1e-12, "m/s", data.PAPER, kind="published"),
         Quantity("capsize_speed", np.nan if capsize is None else capsize, data.CAPSIZE_SPEED, 1e-12, "m/s", data.PAPER,
                  kind="published"),
+        Quantity("point_masses_weave_and_capsize", points, by_formula, 1e-12, "m/s",
+                 f"both frames as point masses; formulas of {data.PAPER}, appendix A", kind="closed form"),
         Quantity("measured_bicycles_weave_and_capsize", found, expected, 3e-10, "m/s",
                  data.MEASURED_SOURCE, {"bicycles": list(speeds)}, kind="other program"),
     ]  # fmt: skip
 
 
-def manoeuvre(results: Results) -> list[Quantity]:
-    """Manoeuvre M1 beside its reference trajectory, row by row, and at 5 s."""
+def manoeuvre(results: BicycleResults) -> list[Quantity]:
+    """Compare manoeuvre M1 with its reference trajectory, row by row, and at 5 s."""
     found, reference, end = manoeuvre_m1(results.m1), np.array(data.M1), results.m1[-1]
     units = ("s", "rad", "rad", "rad", "rad/s", "rad/s", "m", "m")
     accurate: Any = {"kind": "own", "reason": f"{STEPS}, at 1e-12"}
@@ -285,8 +280,8 @@ def manoeuvre(results: Results) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def kicks(results: Results) -> list[Quantity]:
-    """The three kicks of the talk: lean after 2 s (no published number), drift of energy and constraints."""
+def kicks(results: BicycleResults) -> list[Quantity]:
+    """Compare the three kicks of the talk: lean after 2 s (no published number), drift of energy and constraints."""
     rows = []
     for v, motion in results.kicks.items():
         rows.append(Quantity(f"kick_{v}", motion.at(2.0)["lean.angle"], unit="rad", source="lean at t = 2 s"))

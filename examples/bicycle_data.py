@@ -26,11 +26,16 @@ def _parameter(value: str | float) -> float:
 
 
 def _matrix(name: str) -> list[list[float]]:
-    return [[float(z) for z in row] for row in _WHIPPLE["published_matrices"][name]]
+    return [[float(entry) for entry in row] for row in _WHIPPLE["published_matrices"][name]]
 
 
 # The benchmark bicycle, exactly as in the paper's table of parameters.
-BENCHMARK: dict[str, float] = {z: _parameter(v) for z, v in _WHIPPLE["parameters_exact_strings"].items()}
+BENCHMARK: dict[str, float] = {
+    name: _parameter(v) for name, v in _WHIPPLE["parameters_exact_strings"].items()
+}
+
+# The same, with all the mass of the two frames in their mass centres.
+POINTS = {name: 0.0 if name.startswith(("IB", "IH")) else value for name, value in BENCHMARK.items()}
 
 # M q'' + v C1 q' + (g K0 + v² K2) q = 0 with q = (lean, steer); the digits as printed.
 M, C1, K0, K2 = (_matrix(name) for name in ("M", "C1", "K0", "K2"))
@@ -47,36 +52,41 @@ _NAMES = {
     "Rigid": "Rigid rider bicycle",
     "Yellowrev": "Yellow, fork reversed",
 }
-_BIKES = {_NAMES.get(name, name): z for name, z in _WHIPPLE["measured_bikes"].items() if name != "Benchmark"}
+_BIKES = {
+    _NAMES.get(name, name): bike for name, bike in _WHIPPLE["measured_bikes"].items() if name != "Benchmark"
+}
 
 
 def _measured(params: dict[str, float]) -> dict[str, float]:
-    """Parameters of a measured bicycle, by the symbols of the benchmark.
+    """Return the parameters of a measured bicycle, by the symbols of the benchmark.
 
     Some measured inertias are impossible by a few percent: with the principal moments I1 < I3 in the plane of
     symmetry, Iyy must lie from I3 - I1 to I3 + I1.  It is moved there; the linear equations do not contain it.
     """
-    p = {z: params[z] for z in BENCHMARK}
+    p = {name: params[name] for name in BENCHMARK}
     for body in ("B", "H"):
         xx, yy, zz, xz = (p[f"I{body}{axes}"] for axes in ("xx", "yy", "zz", "xz"))
         p[f"I{body}yy"] = min(max(yy, hypot(xx - zz, 2 * xz)), xx + zz)
     return p
 
 
-MEASURED = {name: _measured(z["params"]) for name, z in _BIKES.items()}
+MEASURED = {name: _measured(bike["params"]) for name, bike in _BIKES.items()}
 MEASURED_SPEEDS: dict[str, dict[str, float | None]] = {
-    name: {"weave": float(z["weave"][-1]), "capsize": None if "j" in z["capsize"] else float(z["capsize"])}
-    for name, z in _BIKES.items()
+    name: {
+        "weave": float(bike["weave"][-1]),
+        "capsize": None if "j" in bike["capsize"] else float(bike["capsize"]),
+    }
+    for name, bike in _BIKES.items()
 }
 
-# The talk's own bicycle (Cornell, 1987): its parameters were not found, only its stable range [m/s].
+# The talk's own bicycle: its stable range [m/s]. It is also that of the page of bike3.dat, of the same author.
 TALK_RANGE = (4.1, 5.7)
 
 # Manoeuvre M1: rolling upright at 4 m/s with a roll rate of 0.05 rad/s about the ground line.
 M1_SPEED = 4.0
 ROLL_RATE = 0.05
 M1_STEER_5S, M1_FORWARD_SPEED_5S, M1_ENERGY = (
-    float(_M1["at_5s"][z]) for z in ("steer", "rear_hub_velocity_forward", "energy_total_J")
+    float(_M1["at_5s"][name]) for name in ("steer", "rear_hub_velocity_forward", "energy_total_J")
 )
 M1_COLUMNS = [
     "t",
@@ -90,5 +100,5 @@ M1_COLUMNS = [
 ]
 _KEYS = ("t", "roll", "steer", "yaw", "roll_rate_about_heading", "steer_rate")
 M1: list[list[float]] = [
-    [*(row[z] for z in _KEYS), *row["rear_hub"][:2]] for row in _M1["maneuvers"][0]["rows"]
+    [*(row[key] for key in _KEYS), *row["rear_hub"][:2]] for row in _M1["maneuvers"][0]["rows"]
 ]

@@ -1,4 +1,4 @@
-"""Pictures of the bicycle: root loci, kicks, tracks, manoeuvre M1, stable ranges, and an animation."""
+"""Figures of the bicycle: root loci, kicks, tracks, manoeuvre M1, stable ranges, and an animation."""
 
 from __future__ import annotations
 
@@ -10,22 +10,23 @@ from typing import Any
 import numpy as np
 
 from flexel import View
+from flexel.apps.view.figures import COLOURS, figure, save
+from flexel.apps.view.plot import Cylinder, Sketch, draw, root_loci
+from flexel.apps.view.scene import canvas
 from flexel.base.arrays import Array
 from flexel.examples import bicycle_data as data
-from flexel.examples.bicycle import Results, eigenvalues, kick, manoeuvre_m1
-from flexel.pictures.figures import COLOURS, figure, save
-from flexel.pictures.plot import Cylinder, Sketch, draw, root_loci
-from flexel.pictures.scene import canvas
+from flexel.examples.bicycle import BicycleResults, eigenvalues, kick, manoeuvre_m1
+from flexel.examples.bicycle_file import matrices, speeds
 
 FASTEST = 10.0  # of the root loci [m/s]
 SPIRAL_SECONDS = 111.0  # the bicycle at 6.3 m/s leans 40 degrees then
 SHOWN_SECONDS = 8.0  # of the animation
 
 
-def pictures(results: Results, out: Path) -> list[Path]:
-    """Write all figures and the animation into a folder; returns what was written."""
+def pictures(results: BicycleResults, out: Path) -> list[Path]:
+    """Write all figures and the animation to a folder; return their paths."""
     out.mkdir(parents=True, exist_ok=True)
-    names: dict[str, Callable[[Results, Path], None]] = {
+    names: dict[str, Callable[[BicycleResults, Path], None]] = {
         "model.png": model,
         "root_loci.png": loci,
         "kicks.png": histories,
@@ -39,8 +40,8 @@ def pictures(results: Results, out: Path) -> list[Path]:
     return [out / name for name in names]
 
 
-def model(results: Results, path: Path) -> None:
-    """The mechanism with its beams, wheels and mass centres, and the outline of bicycle and rider."""
+def model(results: BicycleResults, path: Path) -> None:
+    """Draw the mechanism with its beams, wheels and mass centres, and the outline of bicycle and rider."""
     view = View(elevation=14, azimuth=-66, centre=(0.5, 0.0, -0.8), span=2.3, sketches=lines(data.BENCHMARK))
     with canvas(results.system.initial, (7.0, 5.2)) as (drawn, axes):
         draw(results.system.initial, axes, view)
@@ -49,8 +50,8 @@ def model(results: Results, path: Path) -> None:
         save(drawn, path)
 
 
-def loci(results: Results, path: Path) -> None:
-    """Eigenvalues of lean and steer over the forward speed, each speed linearized about its steady motion."""
+def loci(results: BicycleResults, path: Path) -> None:
+    """Plot eigenvalues of lean and steer over the forward speed, each speed linearized about its steady motion."""
     speeds = np.linspace(0.0, FASTEST, 401)
     weave, capsize = results.range
     marks = {"weave": weave} | ({} if capsize is None else {"capsize": capsize})
@@ -66,8 +67,8 @@ def loci(results: Results, path: Path) -> None:
     )
 
 
-def histories(results: Results, path: Path) -> None:
-    """Lean, steer and yaw rate after the side kick at the three speeds."""
+def histories(results: BicycleResults, path: Path) -> None:
+    """Plot lean, steer and yaw rate after the side kick at the three speeds."""
     rows = (("lean.angle", "lean [rad]"), ("steer.angle", "steer [rad]"), ("yaw.angle'", "yaw rate [rad/s]"))
     titles = ("below the weave speed", "in the stable range", "above the capsize speed")
     with figure(3, 3, size=(9.0, 6.4), sharex=True) as (drawn, axes):
@@ -86,11 +87,13 @@ def histories(results: Results, path: Path) -> None:
         save(drawn, path)
 
 
-def tracks(results: Results, path: Path) -> None:
-    """What the wheels draw on the ground, seen from above."""
+def tracks(results: BicycleResults, path: Path) -> None:
+    """Draw the tracks of the wheels on the ground, seen from above."""
     spiral = kick(results.system, 6.3, SPIRAL_SECONDS, rtol=1e-8)
     runs = [*results.kicks.values(), spiral]
-    titles = [f"{v} m/s, {z.t[-1]:.0f} s" + ", y enlarged" * (v > 4) for v, z in results.kicks.items()]
+    titles = [
+        f"{v} m/s, {motion.t[-1]:.0f} s" + ", y enlarged" * (v > 4) for v, motion in results.kicks.items()
+    ]
     titles.append(
         f"6.3 m/s, {spiral.t[-1]:.0f} s: the turn tightens, lean {np.degrees(spiral['lean.angle'][-1]):.0f}°"
     )
@@ -110,8 +113,8 @@ def tracks(results: Results, path: Path) -> None:
         save(drawn, path)
 
 
-def manoeuvre(results: Results, path: Path) -> None:
-    """Manoeuvre M1 beside its reference, and the difference."""
+def manoeuvre(results: BicycleResults, path: Path) -> None:
+    """Plot manoeuvre M1 with its reference, and the difference."""
     motion, reference = results.m1, np.array(data.M1)
     difference = np.abs(manoeuvre_m1(motion) - reference)
     labels = ("lean", "steer", "yaw")
@@ -143,10 +146,14 @@ def manoeuvre(results: Results, path: Path) -> None:
         save(drawn, path)
 
 
-def ranges(results: Results, path: Path) -> None:
-    """Stable speed ranges: the talk's bicycle, the benchmark, and measured bicycles."""
+def ranges(results: BicycleResults, path: Path) -> None:
+    """Plot stable speed ranges: the talk's bicycle, the benchmark, and measured bicycles."""
     edge = 9.0
-    rows: list[tuple[str, float, float | None, str]] = [("bicycle of the talk", *data.TALK_RANGE, "#8a8f94")]
+    _, weave, capsize = speeds(matrices())
+    rows: list[tuple[str, float, float | None, str]] = [
+        ("talk, and page of 2003", *data.TALK_RANGE, "#8a8f94")
+    ]
+    rows += [("file on that page", weave, capsize, COLOURS[1])]
     rows += [("2007 benchmark, with rider", *results.range, COLOURS[2])]
     rows += [(f"{name}, no rider", *pair, COLOURS[0]) for name, pair in results.measured.items()]
     with figure(size=(9.0, 5.4)) as (drawn, axes):
@@ -172,8 +179,8 @@ def ranges(results: Results, path: Path) -> None:
         axes.set_xlim(2.5, edge)
         axes.set_xlabel("forward speed [m/s]")
         drawn.suptitle("Where the uncontrolled bicycle is stable: from the weave speed to the capsize speed")
-        drawn.supxlabel("The parameters of the talk's own bicycle (Cornell, 1987) were not found: its bar repeats the "
-                        "stated 4.1 to 5.7 m/s.\nAll other ranges are computed from the bicycles' parameters.",
+        drawn.supxlabel("The talk and the page of 2003 state 4.1 to 5.7 m/s (grey). The file on that page gives "
+                        "another range:\nit belongs to another version. All ranges but the grey one are computed.",
                         fontsize=9)  # fmt: skip
         save(drawn, path)
 
@@ -202,7 +209,7 @@ class Outline:
 
 
 def outline(p: dict[str, float]) -> Outline:
-    """Frame, saddle, rider, fork and handlebar for the parameters of a bicycle."""
+    """Return frame, saddle, rider, fork and handlebar for the parameters of a bicycle."""
     axis = np.array([np.sin(p["lam"]), 0, np.cos(p["lam"])])
     foot = np.array([p["w"] + p["c"], 0, 0])
 
@@ -219,7 +226,9 @@ def outline(p: dict[str, float]) -> Outline:
             ([shoulder, shoulder + (0, 0.17 * side, 0.03), steering(1.02, 0.24 * side, 0.22)], 0.045)
         )
     front = [[low, (p["w"], 0, -p["rF"])], [low, bar]]
-    front.append([steering(1.02, 0.26 * z, back) for z, back in ((-1, 0.25), (-1, 0), (1, 0), (1, 0.25))])
+    front.append(
+        [steering(1.02, 0.26 * side, back) for side, back in ((-1, 0.25), (-1, 0), (1, 0), (1, 0.25))]
+    )
     frame = [[hub, crank, saddle, hub], [saddle, top, low, crank]]
     return Outline(
         frame=[np.array(line, dtype=float) for line in frame],
@@ -230,7 +239,7 @@ def outline(p: dict[str, float]) -> Outline:
 
 
 def lines(p: dict[str, float]) -> list[Sketch]:
-    """The outline as lines, for a figure."""
+    """Return the the outline as lines, for a figure."""
     found = outline(p)
     angles = np.linspace(0, 2 * np.pi, 17)
     skull = found.head + np.column_stack([0.09 * np.cos(angles), 0 * angles, 0.12 * np.sin(angles)])
@@ -243,7 +252,7 @@ def _sketched(drawn: list[Array], point: str, frame: str) -> list[Sketch]:
 
 
 def solids(p: dict[str, float]) -> list[Sketch | Cylinder]:
-    """The outline with tubes and limbs, for the viewer."""
+    """Return the the outline with tubes and limbs, for the viewer."""
     found = outline(p)
     pieces = [("rear hub", "rear frame", line, 0.016, "#8fa3b3") for line in found.frame]
     pieces += [("head", "front frame", line, 0.016, "#8fa3b3") for line in found.front]
@@ -257,8 +266,8 @@ def solids(p: dict[str, float]) -> list[Sketch | Cylinder]:
     ]
 
 
-def animation(results: Results, path: Path) -> None:
-    """The kick at 3.5 m/s, to be turned and played in a browser: the weave grows."""
+def animation(results: BicycleResults, path: Path) -> None:
+    """Write the kick at 3.5 m/s as an interactive page for the browser: the weave grows."""
     view = View(
         elevation=18,
         azimuth=-115,

@@ -20,7 +20,7 @@ from flexel.base.arrays import Array
 from flexel.examples import cardan_data as data
 from flexel.linear import periodic
 from flexel.linear.periodic import Coefficients, Orbit, SpeedFamily
-from flexel.results.report import Report
+from flexel.results.reproduction import Report
 
 ANGLES = (10.0, 20.0, 30.0, 45.0, 60.0)  # between the shafts [degrees]
 B30 = np.radians(30.0)
@@ -35,7 +35,7 @@ BENDS = tuple(f"{pin}.{mode}" for pin in ("driving pin", "driven pin") for mode 
 
 
 def joint(b: float, shaft: str = "ground") -> fx.Model:
-    """Two shafts at an angle b [rad] in the plane x, y; the driving one turns about x in a bearing on `shaft`."""
+    """Build two shafts at an angle b [rad] in the plane x, y; the driving one turns about x in a bearing on `shaft`."""
     m = fx.Model()
     m.frame("ground", fixed=True)
     if shaft != "ground":
@@ -52,12 +52,12 @@ def joint(b: float, shaft: str = "ground") -> fx.Model:
 
 
 def rotor(m: fx.Model, frame: str, inertia: float) -> None:
-    """A ball on a frame: its moment of inertia is the same about every axis."""
+    """Add a ball on a frame: its moment of inertia is the same about every axis."""
     m.body(f"{frame} rotor", "centre", frame, mass=1.0, inertia=(inertia,) * 3)
 
 
 def driven(b: float, torque: float = 0.0) -> fx.System:
-    """(a): the driving shaft turns at 1 rad/s against a torque on the driven one; no degree of freedom is left."""
+    """Build (a): the driving shaft turns at 1 rad/s, torque on the driven one; no degree of freedom is left."""
     m = joint(b)
     m.prescribe("in.angle", fx.Polynomial((0.0, 1.0)))
     m.load("out.angle", -torque)
@@ -65,7 +65,7 @@ def driven(b: float, torque: float = 0.0) -> fx.System:
 
 
 def free_run(b: float = B30, rtol: float = 1e-11) -> fx.Motion:
-    """(a): two rotors turn freely; states at the times of the reference."""
+    """Simulate (a): two rotors turn freely; states at the times of the reference."""
     m = joint(b)
     rotor(m, "driving", data.J1)
     rotor(m, "driven", data.J2)
@@ -78,9 +78,7 @@ def free_run(b: float = B30, rtol: float = 1e-11) -> fx.Motion:
 
 
 def elastic_shaft(b: float, speed: float, stiffness: float, damping: float = 0.0) -> fx.System:
-    """(a) driven at a steady speed through a torsionally elastic shaft; the degree of freedom is the twist of the
-    shaft.
-    """
+    """Build (a) driven at a steady speed through a torsionally elastic shaft, whose twist is the degree of freedom."""
     m = joint(b, "motor shaft")
     m.spring("in.angle", stiffness, damping)
     m.prescribe("motor.angle", fx.Polynomial((0.0, speed)))
@@ -92,7 +90,7 @@ def elastic_shaft(b: float, speed: float, stiffness: float, damping: float = 0.0
 def flexible(
     b: float, speed: float, stiffness: float, damping: float = 0.0, cross: float = CROSS
 ) -> fx.System:
-    """(b): pins with bending stiffness [N m/rad] and damping/stiffness [s], driving shaft at a steady speed.
+    """Build (b): pins with bending stiffness [N m/rad] and damping/stiffness [s], driving shaft at a steady speed.
 
     The driven rotor has 1 kg m², the cross a small share of it, for its degrees of freedom need some inertia.
     """
@@ -110,7 +108,7 @@ def flexible(
 
 
 def closed_form(angle: Array, b: float) -> tuple[Array, Array, Array]:
-    """Angle of the driven shaft, its rate and second rate by the driving shaft's angle."""
+    """Return the angle of the driven shaft, its rate and second rate by the driving shaft's angle."""
     c, s2 = np.cos(b), np.sin(b) ** 2
     out = np.arctan2(np.sin(angle), np.cos(angle) * c)
     out = out + 2 * np.pi * np.round((angle - out) / (2 * np.pi))
@@ -119,7 +117,7 @@ def closed_form(angle: Array, b: float) -> tuple[Array, Array, Array]:
 
 
 def closed_moments(angle: Array, b: float) -> dict[str, Array]:
-    """Per unit of torque on the driven shaft: driving moment, and moments in the bearings of both shafts."""
+    """Return, per unit of torque on the driven shaft, the driving moment and the bearing moments of both shafts."""
     ratio, s = closed_form(angle, b)[1], np.sin(b)
     tilt = s * np.abs(np.cos(angle))
     return {
@@ -132,25 +130,25 @@ def closed_moments(angle: Array, b: float) -> dict[str, Array]:
 def closed_coefficients(
     b: float, speed: float, stiffness: float, damping: float, samples: int
 ) -> Coefficients:
-    """Linearized twist of the elastic shaft about steady rotation, driven rotor of 1 kg m²."""
+    """Linearize the twist of the elastic shaft about steady rotation, driven rotor of 1 kg m²."""
     angle = 2 * np.pi * np.arange(samples) / samples
     _, r, d = closed_form(angle, b)
     dd = _second(angle, b)
     rows = r**2, 2 * r * d * speed + damping, stiffness + speed**2 * (d**2 + r * dd), -r * d * speed**2
-    M, C, K, F = (np.asarray(z) for z in rows)
+    M, C, K, F = (np.asarray(matrix) for matrix in rows)
     grid = (slice(None), None, None)
     return Coefficients(speed, M[grid], C[grid], K[grid], F[:, None], ("in.angle",))
 
 
 def _second(angle: Array, b: float) -> Array:
-    """Second derivative of the speed ratio by the angle."""
+    """Return the second derivative of the speed ratio by the angle."""
     c, s2 = np.cos(b), np.sin(b) ** 2
     D = 1 - s2 * np.cos(angle) ** 2
     return np.asarray(-c * s2 * (2 * np.cos(2 * angle) * D - 2 * s2 * np.sin(2 * angle) ** 2) / D**3)
 
 
 def mathieu_edges(eps: float) -> tuple[float, float]:
-    """Speeds over w0 between which y'' + w0² (1 + eps cos 2 w t) y = 0 is unstable, first zone."""
+    """Return the speeds over w0 between which y'' + w0² (1 + eps cos 2 w t) y = 0 is unstable, first zone."""
     found = []
     for characteristic in (mathieu_a, mathieu_b):
         a = 1.0
@@ -161,7 +159,7 @@ def mathieu_edges(eps: float) -> tuple[float, float]:
 
 
 def mathieu(eps: float, speed: float, samples: int = 16) -> Coefficients:
-    """Mathieu's equation with w0 = 1."""
+    """Return Mathieu's equation with w0 = 1."""
     one = np.ones((samples, 1, 1))
     K = 1 + eps * np.cos(4 * np.pi * np.arange(samples) / samples)
     return Coefficients(speed, one, 0 * one, K[:, None, None], np.zeros((samples, 1)), ("y",))
@@ -171,18 +169,18 @@ def mathieu(eps: float, speed: float, samples: int = 16) -> Coefficients:
 
 
 def modulation(b: float) -> float:
-    """Relative modulation of the torsional stiffness that two flexible pins give: of 1 - sin² b cos² (angle)."""
+    """Return the relative variation of the torsional stiffness of two flexible pins: of 1 - sin² b cos² (angle)."""
     half = np.sin(b) ** 2 / 2
     return float(half / (1 - half))
 
 
 def pins_for_unit_frequency(b: float) -> float:
-    """Bending stiffness of the pins for which the mean torsional frequency of a rotor of 1 kg m² is 1 rad/s."""
+    """Return the bending stiffness of pins for a mean torsional frequency of 1 rad/s of a rotor of 1 kg m²."""
     return float(2 / (1 - np.sin(b) ** 2 / 2))
 
 
 def family(system: Callable[[float], fx.System], samples: int = 32) -> SpeedFamily:
-    """Linearized equations about steady rotation, for every speed."""
+    """Return the linearized equations about steady rotation, for every speed."""
     return SpeedFamily.through([_steady(system(w), w, samples) for w in (0.5, 1.0, 2.0)])
 
 
@@ -191,14 +189,14 @@ def _steady(system: fx.System, speed: float, samples: int) -> Orbit:
 
 
 def growth(c: Coefficients, tolerance: float = 1e-8) -> float:
-    """Largest growth of a small disturbance in one turn: log of the largest Floquet multiplier's modulus."""
+    """Return the largest growth of a small disturbance in a turn: log of the largest Floquet multiplier's modulus."""
     return float(np.log(np.abs(c.floquet_multipliers(tolerance)[0])))
 
 
 def zone_edges(
     at: Callable[[float], Coefficients], centre: float = 1.0, width: float = 0.15
 ) -> tuple[float, float]:
-    """Speeds at which the instability around an unstable speed ends, by bisection."""
+    """Find the speeds at which the instability around an unstable speed ends, by bisection."""
     edges = []
     for outside in (centre - width, centre + width):
         inside = centre
@@ -213,7 +211,7 @@ def zone_edges(
 
 
 def flexible_edges(b: float = B30) -> tuple[float, float]:
-    """Edges of the first zone of (b) with a massless cross: extrapolated from two that are not."""
+    """Find the edges of the first zone of (b) with a massless cross: extrapolated from two that are not."""
 
     def edges(cross: float) -> Array:
         equations = family(lambda w: flexible(b, w, pins_for_unit_frequency(b), cross=cross))
@@ -224,15 +222,15 @@ def flexible_edges(b: float = B30) -> tuple[float, float]:
 
 
 def flexible_error(stiffness: float) -> float:
-    """Largest difference of the driven shaft's angle between (b) and (a) in steady rotation at 1 rad/s, 30°."""
+    """Return the largest difference of the driven angle between (b) and (a) in steady rotation at 1 rad/s, 30°."""
     system = flexible(B30, 1.0, stiffness, damping=0.01)
     motion, _ = periodic.periodic_motion(system, 2 * np.pi, HARMONICS)
     return float(np.abs(motion["out.angle"] - closed_form(motion.t, B30)[0]).max())
 
 
 @dataclass(frozen=True)
-class Results:
-    """Everything that is computed, for the table and for the pictures."""
+class CardanResults:
+    """All computed results, for the table and for the figures."""
 
     turns: dict[float, fx.Motion]  # by the angle between the shafts [degrees]
     free: fx.Motion
@@ -244,18 +242,21 @@ class Results:
     mathieu_edges: tuple[float, float]
 
 
-def analyse() -> Results:
+def analyse() -> CardanResults:
     """Run all analyses."""
     speed, stiffness, damping = 1.3, 2.0, 0.1
     system = elastic_shaft(B30, speed, stiffness, damping)
-    return Results(
-        turns={z: driven(np.radians(z), 1.0).simulate(TURN[-1], times=TURN, progress=False) for z in ANGLES},
+    return CardanResults(
+        turns={
+            angle: driven(np.radians(angle), 1.0).simulate(TURN[-1], times=TURN, progress=False)
+            for angle in ANGLES
+        },
         free=free_run(),
         linear=(
             _steady(system, speed, 48).coefficients,
             closed_coefficients(B30, speed, stiffness, damping, 48),
         ),
-        errors=np.array([flexible_error(float(z)) for z in STIFFNESSES]),
+        errors=np.array([flexible_error(float(stiffness)) for stiffness in STIFFNESSES]),
         edges=flexible_edges(),
         shaft_edges=zone_edges(family(lambda w: elastic_shaft(B30, w, 1.0), 64).at, 1.0, 0.25),
         shaft_edges_closed=zone_edges(lambda w: closed_coefficients(B30, w, 1.0, 0.0, 64), 1.0, 0.25),
@@ -264,7 +265,7 @@ def analyse() -> Results:
 
 
 def reproduce(out: Path | None = None) -> Report:
-    """All quantities beside their references; figures in `out`, if given."""
+    """Compute all quantities with their references; write figures to `out`, if given."""
     from flexel.examples.cardan_table import flexibility, motion
 
     results = analyse()

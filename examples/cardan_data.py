@@ -16,13 +16,13 @@ _TABLES = published("hooke_joint")
 
 # Driving shaft, driven shaft [degrees], speed ratio, acceleration / speed^2; 30 degrees between the shafts.
 TABLE_30: tuple[tuple[float, ...], ...] = tuple(
-    tuple(float(row[z]) for z in ("theta1_deg", "theta2_deg", "ratio", "theta2dd_over_w1sq"))
+    tuple(float(row[key]) for key in ("theta1_deg", "theta2_deg", "ratio", "theta2dd_over_w1sq"))
     for row in _TABLES["table_beta30_convA"]
 )
 
 # Two free shafts at 30 degrees: inertias [kg m2], first speed [rad/s]; time [s], angle [rad], speed [rad/s].
 _RUN = _TABLES["free_run_reference"]
-J1, J2, FIRST_SPEED = (float(_RUN[z]) for z in ("J1", "J2", "w1_0"))
+J1, J2, FIRST_SPEED = (float(_RUN[key]) for key in ("J1", "J2", "w1_0"))
 FREE_RUN: tuple[tuple[float, float, float], ...] = tuple(
     (row["t"], row["theta1"], row["w1"]) for row in _RUN["rows"]
 )

@@ -1,4 +1,4 @@
-"""Pictures of the universal joint: kinematics, reactions, free run, convergence, zones of instability."""
+"""Figures of the universal joint: kinematics, reactions, free run, convergence, zones of instability."""
 
 from __future__ import annotations
 
@@ -10,13 +10,15 @@ from typing import Any
 import numpy as np
 
 from flexel import View
+from flexel.apps.view.figures import COLOURS, figure, save
+from flexel.apps.view.plot import Sketch
 from flexel.base.arrays import Array
 from flexel.base.quaternions import matrix
 from flexel.examples import cardan_data as data
 from flexel.examples.cardan import (
     B30,
     STIFFNESSES,
-    Results,
+    CardanResults,
     closed_form,
     closed_moments,
     elastic_shaft,
@@ -28,17 +30,15 @@ from flexel.examples.cardan import (
 )
 from flexel.examples.cardan_table import bearing_moment
 from flexel.examples.cardan_zones import Zone, trace
-from flexel.pictures.figures import COLOURS, figure, save
-from flexel.pictures.plot import Sketch
 
 CHART_ANGLES = np.linspace(5.0, 45.0, 9)  # degrees
 EDGE = "#7a2e00"  # lines of a zone, over its colours
 
 
-def pictures(results: Results, out: Path) -> list[Path]:
-    """Write all figures into a folder; returns what was written."""
+def pictures(results: CardanResults, out: Path) -> list[Path]:
+    """Write all figures to a folder; return their paths."""
     out.mkdir(parents=True, exist_ok=True)
-    names: dict[str, Callable[[Results, Path], None]] = {
+    names: dict[str, Callable[[CardanResults, Path], None]] = {
         "cardan_model.png": model,
         "cardan_kinematics.png": kinematics,
         "cardan_moments.png": moments,
@@ -52,13 +52,15 @@ def pictures(results: Results, out: Path) -> list[Path]:
     return [out / name for name in names]
 
 
-def model(results: Results, path: Path) -> None:
-    """The joint at three angles of the driving shaft, 45 degrees between the shafts."""
+def model(results: CardanResults, path: Path) -> None:
+    """Draw the joint at three angles of the driving shaft, 45 degrees between the shafts."""
     turn, b = results.turns[45.0], np.radians(45.0)
     with figure(1, 3, size=(9.0, 3.6), subplot_kw={"projection": "3d"}) as (drawn, axes):
         for panel, degrees in zip(axes, (0, 40, 90), strict=True):
             state = turn.nearest(np.radians(degrees))
-            driving, cross, driven = (matrix(state.position(z)) for z in ("driving", "cross", "driven"))
+            driving, cross, driven = (
+                matrix(state.position(frame)) for frame in ("driving", "cross", "driven")
+            )
             line(panel, [(-0.9, 0, 0), (-0.42, 0, 0)], COLOURS[0], 5)
             d2 = np.array([np.cos(b), np.sin(b), 0])
             line(panel, [0.42 * d2, 0.9 * d2], COLOURS[1], 5)
@@ -81,18 +83,18 @@ def model(results: Results, path: Path) -> None:
 
 
 def line(panel: Any, points: Any, colour: str, width: float) -> None:
-    """A straight piece in space."""
+    """Draw a straight piece in space."""
     panel.plot(*np.array(points, dtype=float).T, color=colour, lw=width, solid_capstyle="round")
 
 
 def fork(panel: Any, pin: Array, root: Array, colour: str) -> None:
-    """A fork from its root on the shaft to both ends of its pin."""
+    """Draw a fork from its root on the shaft to both ends of its pin."""
     for side in (pin, -pin):
         line(panel, [root, root + side, side], colour, 3)
 
 
-def kinematics(results: Results, path: Path) -> None:
-    """Lead of the driven shaft, ratios of speed and acceleration over a turn."""
+def kinematics(results: CardanResults, path: Path) -> None:
+    """Plot the lead of the driven shaft, ratios of speed and acceleration over a turn."""
     labels = ("driven - driving angle [°]", "speed ratio [-]", "acceleration / speed² [-]")
     with figure(3, size=(8.0, 8.0), sharex=True) as (drawn, axes):
         for j, (degrees, turn) in enumerate(results.turns.items()):
@@ -100,11 +102,11 @@ def kinematics(results: Results, path: Path) -> None:
             exact = closed_form(turn.t, np.radians(degrees))
             computed = turn["out.angle"], turn.rate("out.angle"), turn.acceleration("out.angle")
             for i, panel in enumerate(axes):
-                y, z = computed[i], exact[i]
+                ours, reference = computed[i], exact[i]
                 if i == 0:
-                    y, z = np.degrees(y - turn.t), np.degrees(z - turn.t)
-                panel.plot(angle, y, color=COLOURS[j], label=f"{degrees:g}°")
-                panel.plot(angle[::9], z[::9], "o", ms=3, color=COLOURS[j])
+                    ours, reference = np.degrees(ours - turn.t), np.degrees(reference - turn.t)
+                panel.plot(angle, ours, color=COLOURS[j], label=f"{degrees:g}°")
+                panel.plot(angle[::9], reference[::9], "o", ms=3, color=COLOURS[j])
         for panel, label in zip(axes, labels, strict=True):
             panel.set_ylabel(label)
         axes[0].legend(title="between the shafts", ncols=5, loc="lower left", bbox_to_anchor=(0.0, 1.0))
@@ -114,8 +116,8 @@ def kinematics(results: Results, path: Path) -> None:
         save(drawn, path)
 
 
-def moments(results: Results, path: Path) -> None:
-    """Driving moment and moments in the bearings, per unit of torque on the driven shaft."""
+def moments(results: CardanResults, path: Path) -> None:
+    """Plot driving moment and moments in the bearings, per unit of torque on the driven shaft."""
     turn = results.turns[30.0]
     curves = (-turn.force("in.angle"), bearing_moment(turn, "in"), bearing_moment(turn, "out"))
     with figure(size=(8.0, 4.4)) as (drawn, axes):
@@ -135,14 +137,14 @@ def moments(results: Results, path: Path) -> None:
         save(drawn, path)
 
 
-def free_run(results: Results, path: Path) -> None:
-    """Two rotors that turn freely through the joint."""
+def free_run(results: CardanResults, path: Path) -> None:
+    """Plot two rotors that turn freely through the joint."""
     motion = results.free
     t = np.linspace(0, motion.t[-1], 400)
-    states = [motion.at(float(z)) for z in t]
+    states = [motion.at(float(time)) for time in t]
     with figure(size=(8.0, 4.2)) as (drawn, axes):
-        axes.plot(t, [z.rate("in.angle") for z in states], color=COLOURS[0], label="driving rotor")
-        axes.plot(t, [z.rate("out.angle") for z in states], color=COLOURS[1], label="driven rotor")
+        axes.plot(t, [state.rate("in.angle") for state in states], color=COLOURS[0], label="driving rotor")
+        axes.plot(t, [state.rate("out.angle") for state in states], color=COLOURS[1], label="driven rotor")
         axes.plot(*np.array(data.FREE_RUN)[:, [0, 2]].T, "o", color=COLOURS[0], mfc="none", label="reference")
         axes.set(xlabel="time [s]", ylabel="speed [rad/s]", xlim=(0, t[-1]), ylim=(9.8, 12.4))
         axes.legend(ncols=3, loc="upper right", framealpha=0.9, frameon=True)
@@ -150,8 +152,8 @@ def free_run(results: Results, path: Path) -> None:
         save(drawn, path)
 
 
-def limit(results: Results, path: Path) -> None:
-    """Flexible pins become rigid ones: the error falls with the stiffness."""
+def limit(results: CardanResults, path: Path) -> None:
+    """Plot how flexible pins become rigid ones: the error falls with the stiffness."""
     with figure(size=(8.0, 4.6)) as (drawn, axes):
         axes.loglog(
             STIFFNESSES, results.errors, "o-", color=COLOURS[0], label="flexible minus rigid, over one turn"
@@ -166,15 +168,15 @@ def limit(results: Results, path: Path) -> None:
         save(drawn, path)
 
 
-def zones(results: Results, path: Path) -> None:
-    """Zones of parametric instability over angle and speed, pins or shaft elastic."""
+def zones(results: CardanResults, path: Path) -> None:
+    """Plot zones of parametric instability over angle and speed, pins or shaft elastic."""
     pins = cache(lambda b: family(lambda w: flexible(b, w, pins_for_unit_frequency(b))).at)
     shaft = cache(lambda b: family(lambda w: elastic_shaft(b, w, 1.0), 64).at)
     charts = (
         ("(b) pins flexible in bending", pins, ((1, 0.12), (2, 0.03)), results.edges),
         ("(a) with an elastic driving shaft", shaft, ((1, 0.2), (2, 0.06), (3, 0.03)), results.shaft_edges),
     )
-    edges = np.array([mathieu_edges(modulation(np.radians(z))) for z in CHART_ANGLES])
+    edges = np.array([mathieu_edges(modulation(np.radians(angle))) for angle in CHART_ANGLES])
     with figure(1, 2, size=(9.0, 5.4), sharey=True) as (drawn, axes):
         for panel, (title, at, orders, known) in zip(axes, charts, strict=True):
             for order, width in orders:
@@ -193,7 +195,7 @@ def zones(results: Results, path: Path) -> None:
 
 
 def _zone(panel: Any, zone: Zone) -> Any:
-    """The growth in a zone with its edges and the speed at which it is largest."""
+    """Plot the growth in a zone with its edges and the speed at which it is largest."""
     angle, speed, growth = zone.field()
     shown = panel.contourf(angle, speed, growth, np.linspace(0.0, 0.65, 14), cmap="Oranges")
     for line in zone.edges(angle[0]):
@@ -202,8 +204,8 @@ def _zone(panel: Any, zone: Zone) -> Any:
     return shown
 
 
-def animation(results: Results, path: Path) -> None:
-    """The free run, to be turned and played in a browser; shafts, forks and cross are for display only."""
+def animation(results: CardanResults, path: Path) -> None:
+    """Write the free run as an interactive page for the browser; shafts, forks and cross are for display only."""
     out = np.array([np.cos(B30), np.sin(B30), 0.0])
     y, z = np.array([0, 0.3, 0]), np.array([0, 0, 0.3])
     lines: list[tuple[str, list[Array]]] = [("cross", [-y, y]), ("cross", [-z, z])]

@@ -1,4 +1,4 @@
-"""The table of the universal joint: every quantity beside its closed form."""
+"""The table of the universal joint: every quantity with its closed form."""
 
 from __future__ import annotations
 
@@ -13,24 +13,24 @@ from flexel.examples.cardan import (
     CROSS,
     STIFFNESSES,
     TURN,
-    Results,
+    CardanResults,
     closed_form,
     closed_moments,
     mathieu_edges,
     modulation,
 )
 from flexel.examples.reasons import STEPS
-from flexel.results.report import Quantity
+from flexel.results.reproduction import Quantity
 
 
 def bearing_moment(motion: fx.Motion, name: str) -> Array:
-    """Size (nt,) of the moment in a bearing across its axis [N m]."""
+    """Return the size (nt,) of the moment in a bearing across its axis [N m]."""
     force = motion.force
     return np.asarray(np.hypot(force(f"{name}.bend1"), force(f"{name}.bend2")))
 
 
-def motion(results: Results) -> list[Quantity]:
-    """Four rigid hinges: kinematics, reactions, linearization, free run."""
+def motion(results: CardanResults) -> list[Quantity]:
+    """Compare four rigid hinges: kinematics, reactions, linearization, free run."""
     angle, ratio, second, moments = 0.0, 0.0, 0.0, dict.fromkeys(closed_moments(TURN, B30), 0.0)
     for degrees, turn in results.turns.items():
         b = np.radians(degrees)
@@ -50,18 +50,18 @@ def motion(results: Results) -> list[Quantity]:
         Quantity("acceleration_max_error", second, 0.0, 1e-12, "", data.CLOSED, more, kind="closed form"),
         Quantity("table_30_degrees", np.column_stack(columns)[at], [row[1:] for row in data.TABLE_30], 1e-12, "",
                  "driven angle [degrees], ratio, acceleration", kind="closed form", tolerance_kind="absolute"),
-        *(Quantity(f"{z.replace(' ', '_')}_moment_max_error", e, 0.0, 1e-12, "N m", data.MOMENTS, more,
-                   kind="closed form") for z, e in moments.items()),
+        *(Quantity(f"{name.replace(' ', '_')}_moment_max_error", e, 0.0, 1e-12, "N m", data.MOMENTS, more,
+                   kind="closed form") for name, e in moments.items()),
         *linear(results),
-        Quantity("free_run_angle", free["in.angle"][1:], [z[1] for z in data.FREE_RUN], 5e-10, "rad", data.FREE,
+        Quantity("free_run_angle", free["in.angle"][1:], [row[1] for row in data.FREE_RUN], 5e-10, "rad", data.FREE,
                  kind="closed form", reason=STEPS),
-        Quantity("free_run_speed", free.rate("in.angle")[1:], [z[2] for z in data.FREE_RUN], 5e-10, "rad/s", data.FREE,
-                 kind="closed form", reason=STEPS),
+        Quantity("free_run_speed", free.rate("in.angle")[1:], [row[2] for row in data.FREE_RUN], 5e-10, "rad/s",
+                 data.FREE, kind="closed form", reason=STEPS),
     ]  # fmt: skip
 
 
-def linear(results: Results) -> list[Quantity]:
-    """Linearized twist of an elastic driving shaft about steady rotation, over a turn."""
+def linear(results: CardanResults) -> list[Quantity]:
+    """Compare the linearized twist of an elastic driving shaft about steady rotation, over a turn."""
     computed, closed = results.linear
     return [
         Quantity(
@@ -77,8 +77,8 @@ def linear(results: Results) -> list[Quantity]:
     ]
 
 
-def flexibility(results: Results) -> list[Quantity]:
-    """Flexible pins: convergence to rigid ones; zones of parametric instability."""
+def flexibility(results: CardanResults) -> list[Quantity]:
+    """Compare flexible pins: convergence to rigid ones; zones of parametric instability."""
     logs = np.log10(results.errors)
     order = -float(np.polyfit(np.log10(STIFFNESSES[-3:]), logs[-3:], 1)[0])
     more = {"cross": CROSS, "w0": "mean torsional frequency on the pins, cross extrapolated to no mass"}

@@ -51,15 +51,15 @@ class Zone:
     shapes: Array
 
     def edges(self, angles: Array) -> tuple[Array, Array]:
-        """Speeds at the edges for any angles [degrees] of the zone."""
+        """Return the speeds at the edges for any angles [degrees] of the zone."""
         return self._over(self.low)(angles), self._over(self.high)(angles)
 
     def ridge(self, angles: Array) -> Array:
-        """Speeds of the largest growth."""
+        """Return the speeds of the largest growth."""
         return np.asarray(self._over(self.peak)(angles))
 
     def field(self, count: int = 161, across: int = 81) -> tuple[Array, Array, Array]:
-        """Angles, speeds and growth (across, count) over the whole zone, its edges included."""
+        """Return angles, speeds and growth (across, count) over the whole zone, its edges included."""
         angle = np.linspace(self.angles[0], self.angles[-1], count)
         low, high = self.edges(angle)
         s = np.sin(np.linspace(-np.pi / 2, np.pi / 2, across))
@@ -74,7 +74,7 @@ class Zone:
 
 
 def trace(at: Callable[[float], Equations], angles: Sequence[float], order: int, width: float) -> Zone:
-    """The zone near the speed 1/order, from the largest angle down to where it is too weak to be seen.
+    """Trace the zone near the speed 1/order, from the largest angle down to where it is too weak to be seen.
 
     Parameters
     ----------
@@ -99,15 +99,15 @@ def trace(at: Callable[[float], Equations], angles: Sequence[float], order: int,
         rows.append((degrees, *found))
         width = max(0.75 * (found[1] - found[0]), 0.02 / order**2)
     none = (0.0, 1 / order, 1 / order, 1 / order, 0.0, np.zeros(DEGREE + 1))
-    start = none if len(rows) == len(angles) else _faded(rows, min(z for z, *_ in rows) - 1.0)
+    start = none if len(rows) == len(angles) else _faded(rows, min(edge for edge, *_ in rows) - 1.0)
     columns = zip(*[start, *reversed(rows)], strict=True)
-    return Zone(*(np.array(z) for z in columns))
+    return Zone(*(np.array(column) for column in columns))
 
 
 def _faded(
     rows: Sequence[tuple[float, float, float, float, float, Array]], angle: float
 ) -> tuple[float, ...]:
-    """A zone without width a little below the smallest angle at which it was seen."""
+    """Return a zone without width a little below the smallest angle at which it was seen."""
     centre = rows[-1][3]
     return angle, centre, centre, centre, 0.0, np.zeros(DEGREE + 1)  # type: ignore[return-value]
 
@@ -122,7 +122,7 @@ def _growth(at: Equations, speed: float) -> float:
 def _across(
     g: Callable[[float], float], centre: float, width: float
 ) -> tuple[float, float, float, float, Array] | None:
-    """Edges, peak, growth there and shape of the zone within a range of speeds; None without a visible one."""
+    """Find edges, peak, growth there and shape of the zone within a range of speeds; None without a visible one."""
     speeds = centre + width * np.linspace(-1, 1, SCAN)
     values = np.array([g(w) for w in speeds])
     top = int(np.argmax(values))
@@ -152,7 +152,7 @@ def _across(
 
 
 def _end(g: Callable[[float], float], inside: float, step: float) -> float:
-    """The last speed in a direction that is certainly inside the zone, by doubling and halving."""
+    """Find the last speed in a direction that is certainly inside the zone, by doubling and halving."""
     outside = inside + step
     while g(outside) > FLOOR:
         inside, outside = outside, outside + step
@@ -163,7 +163,7 @@ def _end(g: Callable[[float], float], inside: float, step: float) -> float:
 
 
 def _edges(fit: Chebyshev, ends: Sequence[float]) -> tuple[float, float]:
-    """Where the squared growth is zero, just outside of the speeds that are certainly inside."""
+    """Find where the squared growth is zero, just outside of the speeds that are certainly inside."""
     roots = fit.roots()
     real = roots[np.abs(roots.imag) < 1e-6 * (ends[1] - ends[0])].real
     below, above = real[real <= ends[0]], real[real >= ends[1]]

@@ -1,4 +1,4 @@
-"""Pictures of balls in contact: impact, from sliding to rolling, off a cylinder."""
+"""Figures of balls in contact: impact, from sliding to rolling, off a cylinder."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ from typing import Any
 import numpy as np
 
 from flexel import View
-from flexel.examples.contact import MASS, SPEED, V0, A, G, Results, cosines, pressed_rolling, rolling
-from flexel.pictures.figures import COLOURS, figure, save
+from flexel.apps.view.figures import COLOURS, figure, save
+from flexel.examples.contact import MASS, SPEED, V0, A, ContactResults, G, cosines, pressed_rolling, rolling
 
 
-def pictures(found: Results, out: Path) -> list[Path]:
-    """Write all figures into a folder; returns what was written."""
+def pictures(found: ContactResults, out: Path) -> list[Path]:
+    """Write all figures to a folder; return their paths."""
     out.mkdir(parents=True, exist_ok=True)
     overview, page = out / "contact.png", out / "contact.html"
     with figure(3, size=(8.0, 9.6)) as (drawn, axes):
@@ -25,8 +25,8 @@ def pictures(found: Results, out: Path) -> list[Path]:
     return [overview, page]
 
 
-def impact(found: Results, axes: Any) -> None:
-    """Force over penetration, without and with dissipation."""
+def impact(found: ContactResults, axes: Any) -> None:
+    """Plot force over penetration, without and with dissipation."""
     for label, motion, colour in (
         ("elastic", found.elastic, COLOURS[0]),
         ("with dissipation", found.damped, COLOURS[1]),
@@ -38,8 +38,8 @@ def impact(found: Results, axes: Any) -> None:
     axes.legend(loc="upper left")
 
 
-def sliding(found: Results, axes: Any) -> None:
-    """Speed of the centre and of the rim of the ball and the disc, until they roll."""
+def sliding(found: ContactResults, axes: Any) -> None:
+    """Plot the speed of the centre and of the rim of the ball and the disc, until they roll."""
     for label, motion, slip, share, colour in (
         ("ball", found.ball, "touch.x", 2 / 5, COLOURS[0]),
         ("disc", found.disc, "touch.tangential", 1 / 2, COLOURS[1]),
@@ -56,8 +56,8 @@ def sliding(found: Results, axes: Any) -> None:
     axes.legend(loc="lower right", ncols=2)
 
 
-def drum(found: Results, axes: Any) -> None:
-    """Normal force over the angle from the top, until the ball leaves."""
+def drum(found: ContactResults, axes: Any) -> None:
+    """Plot the normal force over the angle from the top, until the ball leaves."""
     for (spin, motion), colour, style in zip(found.drums.items(), COLOURS, ("-", "--"), strict=False):
         angle = np.degrees(np.arccos(cosines(motion)))
         force = -motion.force("touch.gap") / (MASS * G)

@@ -10,19 +10,19 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import FlexelError
-from flexel.results.report import Kind, Quantity, ToleranceKind
+from flexel.results.reproduction import Kind, Quantity, ToleranceKind
 
 MOST = 128  # elements, beyond which the search gives up
 
 
 def order(errors: Sequence[float]) -> float:
-    """Order of convergence from the errors of the last two of meshes that double."""
+    """Return the order of convergence from the errors of the last two of meshes that double."""
     return float(np.log2(errors[-2] / errors[-1]))
 
 
 def romberg(values: Sequence[Array]) -> Array:
-    """Limit of values on meshes that double, whose errors go with h², h⁴, ...; two or three meshes are usual."""
-    rows = [np.asarray(z, dtype=float) for z in values]
+    """Return the limit of values on meshes that double, with errors in h², h⁴, ...; two or three meshes are usual."""
+    rows = [np.asarray(value, dtype=float) for value in values]
     power = 4.0
     while len(rows) > 1:
         rows = [(power * b - a) / (power - 1) for a, b in zip(rows, rows[1:], strict=False)]
@@ -33,7 +33,7 @@ def romberg(values: Sequence[Array]) -> Array:
 def elements_needed(
     error: Callable[[int], float], bounds: Sequence[float], fewest: int = 1
 ) -> list[int | None]:
-    """Fewest elements with which the error stays below each of some bounds; None above `MOST`.
+    """Find the fewest elements with which the error stays below each of some bounds; None above `MOST`.
 
     Meshes are doubled until the error is below the smallest bound; between the last mesh that is too coarse and the
     next the error is taken to fall steadily.  A mesh on which no solution is found counts as too coarse.
@@ -58,11 +58,11 @@ def elements_needed(
         meshes.append(2 * meshes[-1])
         if meshes[-1] > MOST:
             break
-    return [_fewest(log_error, float(np.log(z)), meshes) for z in bounds]
+    return [_fewest(log_error, float(np.log(bound)), meshes) for bound in bounds]
 
 
 def _fewest(log_error: Callable[[int], float], bound: float, meshes: Sequence[int]) -> int | None:
-    """Fewest elements by interpolation with the power of n that the error falls with."""
+    """Find the fewest elements by interpolation with the power of n that the error falls with."""
     coarse = [n for n in meshes if n <= MOST and log_error(n) > bound]
     if not coarse:
         return meshes[0]
@@ -85,7 +85,7 @@ class MeshError(Protocol):
     """Relative error on a mesh of n elements, with or without the second-order terms."""
 
     def __call__(self, n: int, second_order: bool) -> float:
-        """The error."""
+        """Return the error."""
 
 
 def converged(
@@ -100,7 +100,7 @@ def converged(
     tolerance_kind: ToleranceKind = "relative",
     reason: str = "",
 ) -> list[Quantity]:
-    """Rows of one result: on the finest mesh, the order there, and the limit extrapolated from the meshes.
+    """Return rows of one result: on the finest mesh, the order there, and the limit extrapolated from the meshes.
 
     Parameters
     ----------
@@ -116,7 +116,7 @@ def converged(
     """
     found = [np.asarray(value(n)) for n in meshes]
     size = float(np.max(np.abs(reference)))
-    errors = [float(np.max(np.abs(z - reference))) / size for z in found]
+    errors = [float(np.max(np.abs(value - reference))) / size for value in found]
     observed = order(errors)
     mesh = {"elements": meshes[-1], "order": observed, "meshes": list(meshes), "errors": errors}
     limit = {"elements": list(meshes)}
@@ -142,7 +142,7 @@ def converged(
 def order_row(
     name: str, observed: float, tolerance: float | None, more: Mapping[str, object], reason: str = ""
 ) -> Quantity:
-    """Row of an observed order beside 2, within an absolute tolerance, or only reported where that is None."""
+    """Return the row of an observed order, compared with 2, or only reported if there is no tolerance."""
     said = f"{name}_order", observed
     if tolerance is None:
         return Quantity(*said, source="order of convergence, terms of several orders", more=more)
@@ -151,9 +151,12 @@ def order_row(
 
 
 def needed(name: str, error: MeshError, source: str, fewest: int = 1, terms: bool = True) -> Quantity:
-    """Row of the elements needed for 1 % and for 0.1 %, with and without the second-order terms."""
+    """Return the row of the elements needed for 1 % and for 0.1 %, with and without the second-order terms."""
     both: tuple[bool, ...] = (True, False) if terms else (True,)
-    found = [elements_needed(partial(error, second_order=z), (1e-2, 1e-3), fewest) for z in both]
+    found = [
+        elements_needed(partial(error, second_order=second_order), (1e-2, 1e-3), fewest)
+        for second_order in both
+    ]
     more: dict[str, object] = {"elements_1pct": found[0][0], "elements_0.1pct": found[0][1]}
     if terms:
         more |= {"elements_1pct_first_order": found[1][0], "elements_0.1pct_first_order": found[1][1]}

@@ -16,7 +16,7 @@ import numpy as np
 import flexel as fx
 from flexel.base.arrays import Array
 from flexel.examples.reasons import ROUNDING, STEPS
-from flexel.results.report import Quantity, Report
+from flexel.results.reproduction import Quantity, Report
 
 ARM = 1.0  # from the hinge to the pin, and from the hinge down to the foot of the cylinder [m]
 LENGTH = 3.0  # of the boom; its outer part beyond the pin has the mass [m]
@@ -32,12 +32,12 @@ FREE = 0.1  # elongation from which the boom falls [m]
 
 
 def stroke(t: Any) -> Any:
-    """The prescribed elongation [m]."""
+    """Return the prescribed elongation [m]."""
     return 0.25 * t * np.sin(2 * t)
 
 
 def stroke_rates(t: Array) -> tuple[Array, Array]:
-    """Its first and second rates."""
+    """Return its first and second rates."""
     first = 0.25 * (np.sin(2 * t) + 2 * t * np.cos(2 * t))
     return first, np.asarray(np.cos(2 * t) - t * np.sin(2 * t))
 
@@ -46,7 +46,7 @@ def stroke_rates(t: Array) -> tuple[Array, Array]:
 
 
 def crane() -> fx.Model:
-    """The boom, drawn level, with its cylinder; nothing acts on the elongation yet."""
+    """Build the boom, drawn level, with its cylinder; nothing acts on the elongation yet."""
     m = fx.Model(gravity=(0, 0, -GRAVITY))
     O, P, T = m.point("O", (0, 0, 0), fixed=True), m.point("P", (ARM, 0, 0)), m.point("T", (LENGTH, 0, 0))
     foot = m.point("foot", (0, 0, -ARM), fixed=True)
@@ -59,14 +59,14 @@ def crane() -> fx.Model:
 
 
 def driven() -> fx.System:
-    """The elongation is prescribed."""
+    """Build the crane whose elongation is prescribed."""
     m = crane()
     m.prescribe("cylinder.elongation", stroke)
     return m.build()
 
 
 def falling() -> fx.System:
-    """The elongation is the degree of freedom; no force acts on it."""
+    """Build the crane whose elongation is the degree of freedom; no force acts on it."""
     m = crane()
     m.independent("cylinder.elongation")
     m.initial("cylinder.elongation", FREE, rate=0.0)
@@ -74,7 +74,7 @@ def falling() -> fx.System:
 
 
 def on_oil() -> fx.System:
-    """The boom rests on a column of oil."""
+    """Build the crane that rests on a column of oil."""
     m = crane()
     m.independent("cylinder.elongation")
     m.spring("cylinder.elongation", OIL)
@@ -85,13 +85,13 @@ def on_oil() -> fx.System:
 
 
 def angle(e: Array | float) -> Array:
-    """Angle of the boom above level by the elongation: law of cosines in the triangle foot, hinge, pin."""
+    """Return the boom's angle above level by the elongation: law of cosines in the triangle foot, hinge, pin."""
     cosine = 1 - (np.sqrt(2.0) + np.asarray(e) / ARM) ** 2 / 2
     return np.asarray(np.arccos(cosine) - np.pi / 2)
 
 
 def lever(e: Array | float) -> tuple[Array, Array]:
-    """First and second derivative of the angle by the elongation [1/m, 1/m²]."""
+    """Return the first and second derivative of the angle by the elongation [1/m, 1/m²]."""
     phi, length = angle(e), np.sqrt(2.0) * ARM + np.asarray(e)
     slope = length / (ARM**2 * np.cos(phi))  # length² = 2 ARM² (1 + sin φ)
     return slope, np.asarray((1 + (ARM * slope) ** 2 * np.sin(phi)) / (ARM**2 * np.cos(phi)))
@@ -105,7 +105,7 @@ def force(e: Array | float, ed: Array | float, edd: Array | float) -> Array:
 
 
 def oil_frequency(e: float) -> float:
-    """Angular frequency about the equilibrium on the oil [rad/s]."""
+    """Return the angular frequency about the equilibrium on the oil [rad/s]."""
     phi, slope = float(angle(e)), float(lever(e)[0])
     length, arm = np.sqrt(2.0) * ARM + e, 1 / slope
     second = (-(ARM**2) * np.sin(phi) - arm**2) / length  # second derivative of the length by the angle
@@ -118,8 +118,8 @@ def oil_frequency(e: float) -> float:
 
 
 @dataclass(frozen=True)
-class Results:
-    """Everything that is computed, for the table and for the pictures."""
+class CylinderResults:
+    """All computed results, for the table and for the figures."""
 
     driven: fx.Motion
     start: fx.State  # of the fall
@@ -128,11 +128,11 @@ class Results:
     frequency: float
 
 
-def analyse() -> Results:
+def analyse() -> CylinderResults:
     """Run all analyses."""
     free, sprung = falling(), on_oil()
     rest = sprung.steady()
-    return Results(
+    return CylinderResults(
         driven=driven().simulate(SECONDS, samples=121),
         start=free.initial,
         fall=free.simulate(0.3, samples=61),
@@ -141,8 +141,8 @@ def analyse() -> Results:
     )
 
 
-def rows(found: Results) -> list[Quantity]:
-    """Every quantity beside its closed form."""
+def rows(found: CylinderResults) -> list[Quantity]:
+    """Return every quantity with its closed form."""
     motion = found.driven
     e, (ed, edd) = stroke(motion.t), stroke_rates(motion.t)
     slope, bend = lever(e)
@@ -179,7 +179,7 @@ def rows(found: Results) -> list[Quantity]:
 
 
 def reproduce(out: Path | None = None) -> Report:
-    """All quantities beside their closed forms; figures in `out`, if given."""
+    """Compute all quantities with their closed forms; write figures to `out`, if given."""
     found = analyse()
     files: list[Path] = []
     if out is not None:

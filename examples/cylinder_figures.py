@@ -1,4 +1,4 @@
-"""Pictures of the boom on its cylinder."""
+"""Figures of the boom on its cylinder."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ from pathlib import Path
 import numpy as np
 
 from flexel import View
-from flexel.examples.cylinder import Results, angle, force, stroke, stroke_rates
-from flexel.pictures.figures import COLOURS, figure, save
+from flexel.apps.view.figures import COLOURS, figure, save
+from flexel.examples.cylinder import CylinderResults, angle, force, stroke, stroke_rates
 
 
-def pictures(found: Results, out: Path) -> list[Path]:
-    """Write all figures into a folder; returns what was written."""
+def pictures(found: CylinderResults, out: Path) -> list[Path]:
+    """Write all figures to a folder; return their paths."""
     out.mkdir(parents=True, exist_ok=True)
     names = "cylinder_motion.png", "cylinder_shapes.png", "cylinder.html"
     for name, make in zip(names, (motion, shapes, animation), strict=True):
@@ -20,8 +20,8 @@ def pictures(found: Results, out: Path) -> list[Path]:
     return [out / name for name in names]
 
 
-def motion(found: Results, path: Path) -> None:
-    """Elongation, angle of the boom and force of the cylinder over time, with the closed forms."""
+def motion(found: CylinderResults, path: Path) -> None:
+    """Plot elongation, angle of the boom and force of the cylinder over time, with the closed forms."""
     run = found.driven
     e, (ed, edd) = stroke(run.t), stroke_rates(run.t)
     rows = (
@@ -42,13 +42,13 @@ def motion(found: Results, path: Path) -> None:
         save(drawn, path)
 
 
-def shapes(found: Results, path: Path) -> None:
-    """The crane at the start, half-way and at its highest."""
+def shapes(found: CylinderResults, path: Path) -> None:
+    """Draw the crane at the start, half-way and at its highest."""
     run = found.driven
     k = [0, run.t.size // 2, int(np.argmax(run["hinge.angle"]))]
     with figure(size=(7.0, 5.0)) as (drawn, axes):
         for j, i in enumerate(k):
-            O, P, T, foot = (run[i].position(z)[[0, 2]] for z in ("O", "P", "T", "foot"))
+            O, P, T, foot = (run[i].position(name)[[0, 2]] for name in ("O", "P", "T", "foot"))
             label = f"elongation {run['cylinder.elongation'][i]:+.3f} m"
             axes.plot(*np.column_stack([O, T]), color=COLOURS[j], lw=4, solid_capstyle="round", label=label)
             axes.plot(*np.column_stack([foot, P]), color=COLOURS[j], lw=2, ls="-")
@@ -61,6 +61,6 @@ def shapes(found: Results, path: Path) -> None:
         save(drawn, path)
 
 
-def animation(found: Results, path: Path) -> None:
-    """The driven motion, to be turned and played in a browser."""
+def animation(found: CylinderResults, path: Path) -> None:
+    """Write the driven motion as an interactive page for the browser."""
     found.driven.view(path, view=View(trails=["T"]), title="A boom on a hydraulic cylinder")

@@ -1,4 +1,4 @@
-"""State matrices by differences of the nonlinear equations of motion: what confirms an analytic linearization."""
+"""State matrices by differences of the nonlinear equations of motion: a check of the analytic linearization."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ WEIGHTS = {1: 45.0, 2: -9.0, 3: 1.0}  # central differences of sixth order, over
 
 
 def state_matrix(system: fx.System, state: fx.State, step: float = STEP) -> Array:
-    """State matrix in the order of `Linearization.states`, (q_d', q_d, q_k, z), by central differences of `rhs`."""
+    """Compute the state matrix in the order of `Linearization.states`, by central differences of `rhs`."""
     nd, nq = len(system.dynamic), system.roles.nq
     y0 = np.concatenate([state.q, state.qd, state.z])
 
@@ -32,6 +32,6 @@ def state_matrix(system: fx.System, state: fx.State, step: float = STEP) -> Arra
 
 
 def mismatch(system: fx.System, state: fx.State) -> float:
-    """Largest difference of the analytic and the numerical state matrix, relative to the largest entry."""
+    """Return the largest difference of the analytic and the numerical state matrix, over the largest entry."""
     A = state_matrix(system, state)
     return float(np.abs(system.linearize(state).state_matrix - A).max() / np.abs(A).max())

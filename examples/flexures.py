@@ -19,9 +19,9 @@ import numpy as np
 
 import flexel as fx
 from flexel.base.arrays import Array
-from flexel.declare.materials import MATERIALS, Profile
 from flexel.examples import flexures_exact as exact
-from flexel.results.report import Report
+from flexel.parts.materials import MATERIALS, Profile
+from flexel.results.reproduction import Report
 
 ELEMENTS = 16  # of each leaf spring
 STEEL = MATERIALS["spring steel"]
@@ -76,7 +76,7 @@ def leaf(
     elements: int,
     material: fx.Material = STEEL,
 ) -> None:
-    """A leaf spring in the plane of z from the ground to a body (point, frame), deflecting normal to that plane."""
+    """Add a leaf spring in the plane of z from the ground to a body (point, frame), deflecting normal to that plane."""
     start, end = ends
     axis = (end - start) / np.linalg.norm(end - start)
     base, wall = m.point(f"{name} base", start, fixed=True), m.frame(f"{name} wall", fixed=True)
@@ -97,7 +97,7 @@ def leaf(
 def guide(
     payload: float = 0.0, flexible: Sequence[str] | None = None, elements: int = ELEMENTS, d: Design = GUIDE
 ) -> fx.Model:
-    """The parallel guide; force in y at half the height of its leaf springs equal to the time, payload in x [N]."""
+    """Build the parallel guide; a force in y at half its height equal to the time, payload in x [N]."""
     m = fx.Model()
     m.point(d.point, (d.length / 2, 0, 0))
     m.frame(d.frame)
@@ -111,7 +111,7 @@ def guide(
 def pivot(
     payload: float = 0.0, flexible: Sequence[str] | None = None, elements: int = ELEMENTS, d: Design = PIVOT
 ) -> fx.Model:
-    """The cross-flexure pivot; moment about z equal to the time, payload along x on its axis [N]."""
+    """Build the cross-flexure pivot; moment about z equal to the time, payload along x on its axis [N]."""
     m = fx.Model()
     m.point(d.point, (0, 0, 0))
     m.frame(d.frame)
@@ -136,15 +136,15 @@ Maker = Callable[..., fx.Model]
 
 
 def guided_directions(d: Design) -> list[str]:
-    """The directions in which a mechanism is meant to be stiff."""
-    return [z for z in DIRECTIONS if z != ("y" if d is GUIDE else "turn z")]
+    """Return the directions in which a mechanism should be stiff."""
+    return [direction for direction in DIRECTIONS if direction != ("y" if d is GUIDE else "turn z")]
 
 
 # -- analyses -------------------------------------------------------------------------------------
 
 
 @dataclass(frozen=True)
-class Station:
+class RangePoint:
     """A mechanism at one point of its range.
 
     Attributes
@@ -174,26 +174,26 @@ class Station:
     state: fx.State
 
 
-def station(system: fx.System, d: Design, state: fx.State) -> Station:
-    """All analyses at a state of rest."""
+def station(system: fx.System, d: Design, state: fx.State) -> RangePoint:
+    """Perform all analyses at a state of rest."""
     modes = system.buckling(state, increment={f"{d.point}.x": -1.0}, count=40)
-    push = min((z.multiplier for z in modes if z.multiplier > 0), default=np.inf)
-    pull = min((-z.multiplier for z in modes if z.multiplier < 0), default=np.inf)
-    return Station(
+    push = min((mode.multiplier for mode in modes if mode.multiplier > 0), default=np.inf)
+    pull = min((-mode.multiplier for mode in modes if mode.multiplier < 0), default=np.inf)
+    return RangePoint(
         drive=state.t,
         travel=state[d.drive],
         shift=state.position(d.point) - system.at_rest.position(d.point),
         free=system.compliance(d.point, d.frame, state),
         held=system.compliance(d.point, d.frame, state, hold=[d.drive]),
-        frequencies=np.array([z.omega for z in system.vibrations(state, count=6)]),
+        frequencies=np.array([mode.omega for mode in system.vibrations(state, count=6)]),
         stress=state.largest_stress(),
         buckling=(push, pull),
         state=state,
     )
 
 
-def over_range(make: Maker, d: Design, steps: int = 16) -> list[Station]:
-    """Stations from rest to the largest drive."""
+def over_range(make: Maker, d: Design, steps: int = 16) -> list[RangePoint]:
+    """Compute stations from rest to the largest drive."""
     system = make().build()
     state, found = system.equilibrium(t=0.0), []
     for drive in np.linspace(0.0, d.largest_drive, steps + 1):
@@ -202,34 +202,34 @@ def over_range(make: Maker, d: Design, steps: int = 16) -> list[Station]:
     return found
 
 
-def coarse_end(make: Maker, d: Design) -> Station:
-    """The end of the range with half the elements, to see how far the mesh has converged."""
+def coarse_end(make: Maker, d: Design) -> RangePoint:
+    """Compute the end of the range with half the elements, to see how far the mesh has converged."""
     system = make(elements=ELEMENTS // 2).build()
     half = system.equilibrium(t=d.largest_drive / 2)
     return station(system, d, system.equilibrium(half, t=d.largest_drive))
 
 
-def small(make: Maker, d: Design) -> Station:
-    """A station so near to rest that leading terms suffice: a thousandth of the range."""
+def small(make: Maker, d: Design) -> RangePoint:
+    """Compute a station so near to rest that leading terms suffice: a thousandth of the range."""
     system = make().build()
     return station(system, d, system.equilibrium(t=d.largest_drive / 1000))
 
 
 def drive_stiffness(make: Maker, d: Design, payload: float) -> float:
-    """Stiffness of the drive at rest under a payload."""
+    """Compute the stiffness of the drive at rest under a payload."""
     system = make(payload).build()
     free = system.compliance(d.point, d.frame, system.equilibrium(t=0.0))
     return free.stiffness()["y" if make is guide else "turn z"]
 
 
 @dataclass(frozen=True)
-class Results:
-    """Everything that is computed, for the table and for the pictures."""
+class FlexureResults:
+    """All computed results, for the table and for the figures."""
 
-    guide: list[Station]
-    pivot: list[Station]
-    small: dict[str, Station]
-    coarse: dict[str, Station]  # at the end of the range, with half the elements
+    guide: list[RangePoint]
+    pivot: list[RangePoint]
+    small: dict[str, RangePoint]
+    coarse: dict[str, RangePoint]  # at the end of the range, with half the elements
     payload: dict[str, tuple[Array, Array]]  # payloads over the buckling payload, stiffness over that without
 
 
@@ -237,7 +237,7 @@ CASES: tuple[tuple[Maker, Design], ...] = ((guide, GUIDE), (pivot, PIVOT))
 
 
 def critical(d: Design) -> tuple[float, float]:
-    """Payloads [N] in -x and +x that buckle the mechanism at rest, by the closed forms."""
+    """Return the payloads [N] in -x and +x that buckle the mechanism at rest, by the closed forms."""
     if d is GUIDE:
         return 2 * np.pi**2 * d.EI / d.length**2, np.inf
     push, pull = exact.pivot_buckling(d.EI, d.length)
@@ -245,21 +245,21 @@ def critical(d: Design) -> tuple[float, float]:
 
 
 def expected_stiffness(d: Design, payload: float) -> float:
-    """Stiffness of the drive at rest under a payload in x, by the closed forms."""
+    """Return the stiffness of the drive at rest under a payload in x, by the closed forms."""
     if d is GUIDE:
         return 2 * exact.guided_stiffness(d.EI, d.length, payload / 2)
     return 2 * exact.pivot_stiffness(d.EI, d.length, payload / (2 * np.cos(HALF_ANGLE)))
 
 
 def payloads(d: Design) -> Array:
-    """Payloads in +x over the range in which the mechanism is stable [N], without zero."""
+    """Return payloads in +x over the range in which the mechanism is stable [N], without zero."""
     push, pull = critical(d)
     return np.concatenate([-push * np.array([0.8, 0.4]), min(push, pull) * np.array([0.4, 0.8])])
 
 
-def analyse() -> Results:
+def analyse() -> FlexureResults:
     """Run all analyses."""
-    return Results(
+    return FlexureResults(
         guide=over_range(guide, GUIDE),
         pivot=over_range(pivot, PIVOT),
         small={d.case: small(make, d) for make, d in CASES},
@@ -275,7 +275,7 @@ def analyse() -> Results:
 
 
 def reproduce(out: Path | None = None) -> Report:
-    """All quantities beside their closed forms; figures in `out`, if given."""
+    """Compute all quantities with their closed forms; write figures to `out`, if given."""
     results = analyse()
     files: list[Path] = []
     if out is not None:

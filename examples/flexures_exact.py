@@ -13,7 +13,7 @@ from scipy.optimize import brentq
 from scipy.special import ellipe, ellipeinc, ellipk, ellipkinc
 
 from flexel.base.arrays import Array
-from flexel.declare.materials import Profile
+from flexel.parts.materials import Profile
 
 BEAM = "Timoshenko cantilevers, moved to the body and added"
 COLUMN = "beam-column theory (Timoshenko and Gere 1961)"
@@ -25,12 +25,12 @@ ELASTICA = "elliptic integrals of the elastica, half a leaf as a cantilever"
 
 
 def root(function: object, a: float, b: float) -> float:
-    """A root between a and b."""
+    """Find a root between a and b."""
     return float(brentq(function, a, b, xtol=1e-14, rtol=8.9e-16))  # type: ignore[call-overload]
 
 
 def end_stiffness(profile: Profile, length: float) -> Array:
-    """Stiffness (6, 6) of the end of a Timoshenko cantilever along x, in its own axes."""
+    """Return the stiffness (6, 6) of the end of a Timoshenko cantilever along x, in its axes."""
     k, L = profile.stiffness(), length
     C = np.diag(
         [
@@ -48,7 +48,7 @@ def end_stiffness(profile: Profile, length: float) -> Array:
 
 
 def body_stiffness(profile: Profile, length: float, ends: Sequence[tuple[Array, Array]]) -> Array:
-    """Stiffness (6, 6) of a rigid body at its reference point, on unloaded leaf springs.
+    """Return the stiffness (6, 6) of a rigid body at its reference point, on unloaded leaf springs.
 
     Parameters
     ----------
@@ -66,13 +66,13 @@ def body_stiffness(profile: Profile, length: float, ends: Sequence[tuple[Array, 
 
 
 def guided_stiffness(EI: float, L: float, N: float) -> float:
-    """Lateral stiffness [N/m] of a clamped leaf whose end does not turn, under the tension N [N]."""
+    """Return the lateral stiffness [N/m] of a clamped leaf whose end does not turn, under the tension N [N]."""
     x = L / 2 * np.sqrt(abs(N) / EI)
     return float(N / (L * (1 - (np.tanh(x) if N > 0 else np.tan(x)) / x)))
 
 
 def pivot_stiffness(EI: float, L: float, N: float) -> float:
-    """Rotational stiffness [N m/rad] that a leaf crossing at its middle gives a pivot, under the tension N [N].
+    """Return the stiffness [N m/rad] that a leaf crossing at its middle gives a pivot, under the tension N [N].
 
     Symmetric bending of the leaf, EI/L x coth x, and the moment -N L/4 of the force along its chord about the
     pivot, with x = L/2 sqrt(N/EI); in compression x cot x + x² replaces x coth x - x².
@@ -82,14 +82,14 @@ def pivot_stiffness(EI: float, L: float, N: float) -> float:
 
 
 def pivot_buckling(EI: float, L: float) -> tuple[float, float]:
-    """Compression and tension [N] of a leaf at which that stiffness is zero."""
+    """Return the compression and tension [N] of a leaf at which that stiffness is zero."""
     push = root(lambda x: x / np.tan(x) + x * x, 2.0, 3.1)
     pull = root(lambda x: 1 / np.tanh(x) - x, 0.5, 2.0)
     return 4 * push**2 * EI / L**2, 4 * pull**2 * EI / L**2
 
 
 def bent_leaf(profile: Profile, L: float, u: float) -> Array:
-    """Compliance (3, 3) of the end of a leaf bent to y = u (3 s² - 2 s³), for (z force, moments about x and y).
+    """Return the compliance (3, 3) of the end of a leaf bent to y = u (3 s² - 2 s³): z force, moments about x and y.
 
     Castigliano's theorem for a curved bar: torque, bending about the normal in the plane, shear.
     """
@@ -104,12 +104,14 @@ def bent_leaf(profile: Profile, L: float, u: float) -> Array:
         torque, bending = c * (about_x + slope * about_y), c * (about_y - slope * about_x)
         shear = np.array([1.0, 0.0, 0.0])
         parts = ((torque, k["GJ"]), (bending, k["EIy"]), (shear, k["GAz"]))
-        total += w * L / c * np.sum([np.outer(z, z) / stiffness for z, stiffness in parts], axis=0)
+        total += (
+            w * L / c * np.sum([np.outer(vector, vector) / stiffness for vector, stiffness in parts], axis=0)
+        )
     return total
 
 
 def bent_guide(profile: Profile, L: float, spacing: float, u: float) -> dict[str, float]:
-    """Stiffness of a parallel guide at the travel u, at half the height of its leaf springs, in x, z, turn x, turn y.
+    """Return the stiffness of a parallel guide at the travel u, at half its height, in x, z, turn x, turn y.
 
     Small u, and leaf springs much stiffer in their plane than out of it; the drive is held.
     """
@@ -126,10 +128,10 @@ def bent_guide(profile: Profile, L: float, spacing: float, u: float) -> dict[str
 
 
 def guided_frequency(EI: float, L: float, rhoA: float, mass: float) -> float:
-    """Lowest angular frequency [rad/s] of a clamped Euler-Bernoulli beam whose end carries a mass and does not turn."""
+    """Return the lowest frequency [rad/s] of a clamped Euler-Bernoulli beam whose end has a mass and does not turn."""
 
     def residual(b: float) -> float:
-        """End force for the shape A (cosh - cos) + B (sinh - sin) with slope zero at the end."""
+        """Return the end force for the shape A (cosh - cos) + B (sinh - sin) with slope zero at the end."""
         s, c, sh, ch = np.sin(b), np.cos(b), np.sinh(b), np.cosh(b)
         A, B = ch - c, -(sh + s)
         value = A * (ch - c) + B * (sh - s)
@@ -141,7 +143,7 @@ def guided_frequency(EI: float, L: float, rhoA: float, mass: float) -> float:
 
 
 def cantilever_elastica(a: float) -> tuple[float, float]:
-    """Deflection and shortening, over the length, of a cantilever with a dead end force across it, a = P L²/EI.
+    """Return deflection and shortening, over the length, of a cantilever with a dead end force across it, a = P L²/EI.
 
     Bisshop and Drucker 1945: k² = (1 + sin of the end slope)/2, K(k) - F(k, phi) = sqrt(a), sin phi = 1/(k sqrt 2).
     """

@@ -1,4 +1,4 @@
-"""Pictures of the flexure mechanisms: shapes, stiffness, frequencies, stress and buckling over the range."""
+"""Figures of the flexure mechanisms: shapes, stiffness, frequencies, stress and buckling over the range."""
 
 from __future__ import annotations
 
@@ -10,6 +10,9 @@ from typing import Any
 import numpy as np
 
 import flexel as fx
+from flexel.apps.view.drawing import shapes
+from flexel.apps.view.figures import COLOURS, figure, save
+from flexel.apps.view.page import view_modes
 from flexel.examples.flexures import (
     CASES,
     GUIDE,
@@ -17,22 +20,19 @@ from flexel.examples.flexures import (
     PIVOT,
     STEEL,
     Design,
-    Results,
-    Station,
+    FlexureResults,
+    RangePoint,
     critical,
     expected_stiffness,
     guided_directions,
 )
 from flexel.linear.tracking import Branches
-from flexel.pictures.drawing import shapes
-from flexel.pictures.figures import COLOURS, figure, save
-from flexel.pictures.view import view_modes
 
 NAMES = {"turn x": "about x", "turn y": "about y", "turn z": "about z"}
 
 
-def pictures(results: Results, out: Path) -> list[Path]:
-    """Write all figures into a folder; returns what was written."""
+def pictures(results: FlexureResults, out: Path) -> list[Path]:
+    """Write all figures to a folder; return their paths."""
     out.mkdir(parents=True, exist_ok=True)
     files = [out / "flexures_guide.png", out / "flexures_pivot.png"]
     overview(results, GUIDE, files[0], "Parallel leaf-spring guide")
@@ -41,17 +41,17 @@ def pictures(results: Results, out: Path) -> list[Path]:
 
 
 def modes(make: Callable[..., fx.Model], d: Design, out: Path) -> Path:
-    """The lowest modes at rest, to be turned and played in a browser."""
+    """Write the lowest modes at rest as an interactive page for the browser."""
     system = make().build()
     state = system.equilibrium()
     path = out / f"flexures_{d.case}_modes.html"
     return view_modes(state, path, system.vibrations(state, count=6), title=f"Modes of the {d.case} at rest")
 
 
-def overview(results: Results, d: Design, path: Path, title: str) -> None:
-    """Six panels of one mechanism."""
+def overview(results: FlexureResults, d: Design, path: Path, title: str) -> None:
+    """Plot six panels of one mechanism."""
     stations = results.guide if d is GUIDE else results.pivot
-    travel = np.array([z.travel for z in stations]) * (1e3 if d is GUIDE else 180 / np.pi)
+    travel = np.array([station.travel for station in stations]) * (1e3 if d is GUIDE else 180 / np.pi)
     label = "travel [mm]" if d is GUIDE else "rotation [°]"
     with figure(3, 2, size=(9.0, 10.8)) as (drawn, grid):
         axes = grid.reshape(2, 3)
@@ -73,10 +73,10 @@ def overview(results: Results, d: Design, path: Path, title: str) -> None:
 
 
 def _constrained(d: Design) -> str:
-    """What is overconstrained if the leaf springs are rigid in their own planes."""
+    """Describe what is overconstrained if the leaf springs are rigid in their planes."""
     make = next(make for make, design in CASES if design is d)
     found = make(flexible=IDEAL, elements=1).constraint_report()
-    names = "; ".join(", ".join(z) for z in found.redundant)
+    names = "; ".join(", ".join(names) for names in found.redundant)
     times = {1: "once", 2: "twice"}.get(len(found.redundant), f"{len(found.redundant)} times")
     return (
         f"With leaf springs rigid in their own planes it is overconstrained {times}: {names} are "
@@ -84,8 +84,8 @@ def _constrained(d: Design) -> str:
     )
 
 
-def _shapes(axis: Any, stations: list[Station], d: Design) -> None:
-    """The mechanism from above at rest, half way and at the end."""
+def _shapes(axis: Any, stations: list[RangePoint], d: Design) -> None:
+    """Draw the mechanism from above at rest, half way and at the end."""
     chosen = (stations[0], stations[len(stations) // 2], stations[-1])
     for station, shade in zip(chosen, ("#c3ccd4", "#7fa6c9", COLOURS[0]), strict=True):
         _outline(axis, station.state, shade)
@@ -106,21 +106,24 @@ def _outline(axis: Any, state: fx.State, colour: str) -> None:
             )
 
 
-def _stiffness(axis: Any, stations: list[Station], travel: Any, d: Design) -> None:
-    """Stiffness in the guided directions over that at rest, the drive's travel held."""
-    for colour, z in zip(COLOURS, guided_directions(d), strict=False):
-        found = np.array([s.held.stiffness()[z] for s in stations])
-        unit = "N/m" if z in "xyz" else "N m/rad"
+def _stiffness(axis: Any, stations: list[RangePoint], travel: Any, d: Design) -> None:
+    """Plot the stiffness in the guided directions over that at rest, the drive's travel held."""
+    for colour, direction in zip(COLOURS, guided_directions(d), strict=False):
+        found = np.array([s.held.stiffness()[direction] for s in stations])
+        unit = "N/m" if direction in "xyz" else "N m/rad"
         axis.semilogy(
-            travel, found / found[0], color=colour, label=f"{NAMES.get(z, z)}: {found[0]:.3g} {unit}"
+            travel,
+            found / found[0],
+            color=colour,
+            label=f"{NAMES.get(direction, direction)}: {found[0]:.3g} {unit}",
         )
     axis.set(title="stiffness, drive locked (legend: undriven)", ylabel="stiffness / undriven stiffness [-]")
     axis.legend(fontsize=8)
 
 
-def _frequencies(axis: Any, stations: list[Station], travel: Any) -> None:
-    """Natural frequencies, the drive's force constant."""
-    found = np.array([z.frequencies for z in stations]) / (2 * np.pi)
+def _frequencies(axis: Any, stations: list[RangePoint], travel: Any) -> None:
+    """Plot natural frequencies, the drive's force constant."""
+    found = np.array([station.frequencies for station in stations]) / (2 * np.pi)
     found = np.abs(Branches.of(travel, 1j * found).eigenvalues)  # by continuation, where they cross
     found = found[:, np.argsort(found[-1])]
     for i in range(found.shape[1]):
@@ -132,9 +135,9 @@ def _frequencies(axis: Any, stations: list[Station], travel: Any) -> None:
     axis.set(title="natural frequencies, drive free", ylabel="frequency [Hz]")
 
 
-def _stress(axis: Any, stations: list[Station], travel: Any) -> None:
-    """Largest equivalent stress."""
-    axis.plot(travel, [z.stress.mises / 1e6 for z in stations], color=COLOURS[0])
+def _stress(axis: Any, stations: list[RangePoint], travel: Any) -> None:
+    """Plot the largest equivalent stress."""
+    axis.plot(travel, [station.stress.mises / 1e6 for station in stations], color=COLOURS[0])
     axis.set_ylim(bottom=0)
     worst = stations[-1].stress
     safety = f"; safety {worst.safety:.1f}" if worst.safety is not None else ""
@@ -142,10 +145,10 @@ def _stress(axis: Any, stations: list[Station], travel: Any) -> None:
     axis.set_title(f"largest stress (yield {(STEEL.strength or np.nan) / 1e6:g} MPa{safety})")
 
 
-def _buckling(axis: Any, stations: list[Station], travel: Any, d: Design) -> None:
-    """Payload along x that buckles the mechanism at each point of the range."""
+def _buckling(axis: Any, stations: list[RangePoint], travel: Any, d: Design) -> None:
+    """Plot the payload along x that buckles the mechanism at each point of the range."""
     for k, (name, exact) in enumerate(zip(("-x", "+x"), critical(d), strict=True)):
-        found = np.array([z.buckling[k] for z in stations])
+        found = np.array([station.buckling[k] for station in stations])
         if np.isfinite(exact):
             axis.plot(travel, found, color=COLOURS[k], label=f"payload in {name}")
             axis.plot(0, exact, "o", color=COLOURS[k], mfc="white", clip_on=False, zorder=5)
@@ -155,8 +158,8 @@ def _buckling(axis: Any, stations: list[Station], travel: Any, d: Design) -> Non
     axis.legend(fontsize=8)
 
 
-def _payload(axis: Any, results: Results, d: Design) -> None:
-    """Stiffness of the drive at rest under payload."""
+def _payload(axis: Any, results: FlexureResults, d: Design) -> None:
+    """Plot the stiffness of the drive at rest under payload."""
     push, pull = critical(d)
     grid = np.linspace(-push, min(push, pull), 201)[:-1] + 1e-6 * push
     rest = expected_stiffness(d, 1e-6 * push)

@@ -22,19 +22,19 @@ POINTS = {"damping_ratio": [0.03, 0.07, 0.15], "modulus": [0.9e11, 1.1e11]}  # m
 
 
 def build(damping_ratio: float, modulus: float) -> Hoist:
-    """The data of the hoist with another damping ratio and modulus of its rope; the analysis lays the rope."""
+    """Return the data of the hoist with another damping ratio and modulus of its rope; the analysis lays the rope."""
     return replace(HOIST, damping_ratio=damping_ratio, EA=HOIST.EA * modulus / 1.0e11)
 
 
 def analyse(data: Hoist) -> dict[str, float]:
-    """Largest tension at the drum over that at rest, when the load is applied; beside the closed form."""
+    """Compute the largest tension at the drum over that at rest, when the load is applied, with the closed form."""
     results = simulate(data, BLOW, BLOW_STEP, round(1 / BLOW_STEP))
     return {"factor": peak(results.tension[:, 0]) / (data.weight / 4), "closed_form": dynamic_factor(data)}
 
 
 @contextmanager
 def cluster(address: str | None) -> Iterator[Any]:
-    """A client of the cluster with this address, or of one with two workers here."""
+    """Return a client of the cluster with this address, or of one with two workers here."""
     from distributed import Client, LocalCluster
 
     if address is not None:
@@ -49,7 +49,7 @@ def cluster(address: str | None) -> Iterator[Any]:
 
 
 def study(address: str | None = None) -> Any:
-    """The dataset of the study."""
+    """Return the dataset of the study."""
     with cluster(address) as client:
         return fx.sweep(build, POINTS, analyse, executor=client)
 

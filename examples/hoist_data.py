@@ -45,7 +45,7 @@ class Hoist:
     depth : float
         Of the movable sheaves' axle below that of the drum at the start [m].
     speed : float
-        Of the drum from 20 s on [rad/s]: the load then rises by 50 mm/s, 0.75 m in all, 0.95 turns of the drum.
+        Of the drum at the end of its acceleration [rad/s]: the load then rises by 52 mm/s.
     """
 
     diameter: float = 0.036
@@ -61,13 +61,13 @@ class Hoist:
     efficiency: float = 0.98
     depth: float = 2.0
     speed: float = 0.4
-    starts: float = 10.0
-    constant: float = 20.0
-    end: float = 30.0
+    starts: float = 1.0
+    constant: float = 2.0
+    end: float = 3.0
     turns: float = 0.25
     anchor: float = 0.5
     first_load: float = 0.05
-    elements: int = 60
+    elements: int = 56
     points: int = 5
 
     @property
@@ -86,7 +86,7 @@ class Hoist:
         return self.load * 9.81
 
     def wire_stress(self, curvature: float) -> float:
-        """Bending stress of an outer wire [N/m²] that slides on its neighbours: E d/2 times the curvature [1/m]."""
+        """Return the bending stress [N/m²] of an outer wire that slides on others: E d/2 times the curvature [1/m]."""
         return WIRE_MODULUS * self.wire / 2 * curvature
 
     @property
@@ -95,7 +95,7 @@ class Hoist:
         return self.pitch * (1 - self.efficiency) / (1 + self.efficiency)
 
     def angle(self, t: float) -> tuple[float, float, float]:
-        """Angle of the drum, its rate and acceleration at a time; the ramp is smooth at both ends."""
+        """Return the angle of the drum, its rate and acceleration at a time; the ramp is smooth at both ends."""
         span = self.constant - self.starts
         u = float(np.clip((t - self.starts) / span, 0.0, 1.0))
         rate = self.speed * (10 * u**3 - 15 * u**4 + 6 * u**5)
@@ -105,6 +105,6 @@ class Hoist:
 
 
 HOIST = Hoist()
-# The same lift in 3 s, the other reading of the duration; and with sheaves whose efficiency the factor 1.3 would need.
-SHORT = replace(HOIST, starts=1.0, constant=2.0, end=3.0)
-WORN = replace(SHORT, efficiency=0.83)
+# The same lift in 30 s, the other reading of the duration; and with sheaves whose efficiency the factor 1.3 would need.
+LONG = replace(HOIST, starts=10.0, constant=20.0, end=30.0)
+WORN = replace(HOIST, efficiency=0.83)

@@ -1,4 +1,4 @@
-"""Pictures of the hoist: speeds and tensions over time; tension, contact, strain and wire stress along the rope."""
+"""Figures of the hoist: speeds and tensions over time; tension, contact, strain and wire stress along the rope."""
 
 from __future__ import annotations
 
@@ -9,19 +9,19 @@ from typing import Any
 import numpy as np
 
 import flexel as fx
+from flexel.apps.view.figures import COLOURS, figure, save
 from flexel.examples import hoist_rest
-from flexel.examples.hoist import FALLS, Results
-from flexel.pictures.figures import COLOURS, figure, save
+from flexel.examples.hoist import FALLS, HoistResults
 
-TIMES = (9.9, 15.0, 25.0)
+TIMES = (0.98, 1.5, 2.5)
 DENSITY = 7850.0  # of steel [kg/m³]
 ALONG = "length along the rope from its anchor on the drum [m]"
 
 
-def pictures(results: Results, out: Path) -> list[Path]:
-    """Write all figures into a folder; returns what was written."""
+def pictures(results: HoistResults, out: Path) -> list[Path]:
+    """Write all figures to a folder; return their paths."""
     out.mkdir(parents=True, exist_ok=True)
-    names: dict[str, Callable[[Results, Path], None]] = {
+    names: dict[str, Callable[[HoistResults, Path], None]] = {
         "hoist_motion.png": motion,
         "hoist_rope.png": along_the_rope,
         "hoist_contact.png": contact,
@@ -33,30 +33,35 @@ def pictures(results: Results, out: Path) -> list[Path]:
     return [out / name for name in names]
 
 
-def motion(results: Results, path: Path) -> None:
-    """Speed of the drum and of the load, and the tension in the four falls, over time."""
+def motion(results: HoistResults, path: Path) -> None:
+    """Plot the histories of the paper's four figures: speed of drum and load, tension, contact forces."""
     m, static = results.motion, results.model.data.weight / 4
-    with figure(3, 1, (8.0, 8.0), sharex=True) as (drawn, axes):
+    with figure(4, 1, (8.0, 10.0), sharex=True) as (drawn, axes):
         axes[0].plot(m.t, m.rate("drive.angle"), color=COLOURS[0])
         axes[0].set_ylabel("speed of the drum [rad/s]")
         axes[1].plot(m.t, m.rate("block.y"), color=COLOURS[0])
         axes[1].set_ylabel("speed of the load [m/s]")
         for tension, colour, name in zip(results.tension.T, COLOURS, FALLS, strict=False):
             axes[2].plot(m.t, tension / static, color=colour, linewidth=0.8, label=name)
-        axes[0].set_title("Lift of the hoist: drum, load and the four falls")
+        axes[0].set_title("Lift of the hoist: drum, load, the four falls, contact")
         axes[2].set_ylabel("tension over W/4 [-]")
-        axes[2].set_xlabel("time [s]")
-        axes[2].legend(fontsize="small")
+        rope = results.model.rope
+        for name, colour in zip(rope.contacts, COLOURS, strict=False):
+            axes[3].plot(m.t, rope.resultant(m, name) / 1e3, color=colour, linewidth=0.8, label=name)
+        axes[3].set_ylabel("sum of contact forces [kN]")
+        axes[3].set_xlabel("time [s]")
+        for row in axes[2:]:
+            row.legend(fontsize="small", ncol=2)
         save(drawn, path)
 
 
-def along_the_rope(results: Results, path: Path) -> None:
-    """Tension along the rope at rest, while the load is accelerated, and at constant speed, beside statics."""
+def along_the_rope(results: HoistResults, path: Path) -> None:
+    """Plot the tension along the rope at rest, while the load is accelerated, and at constant speed, with statics."""
     model = results.model
     with figure(1, 1, (8.0, 4.5)) as (drawn, axes):
         for state, colour in _states(results):
             s, T = model.rope.tension(state)
-            axes.plot(s, T / 1e3, ".", color=colour, markersize=3, label=f"t = {state.t:g} s")
+            axes.plot(s, T / 1e3, ".", color=colour, markersize=3, label=f"t = {state.t:.3g} s")
             ends, free = hoist_rest.free_tensions(model, state)
             axes.plot(ends.ravel(), np.repeat(free, 2) / 1e3, color=colour, linewidth=0.8)
         axes.plot([], [], color="#444444", linewidth=0.8, label="statics of the free parts")
@@ -65,8 +70,8 @@ def along_the_rope(results: Results, path: Path) -> None:
         save(drawn, path)
 
 
-def contact(results: Results, path: Path) -> None:
-    """Normal force per length on drum and sheaves at three times, beside T/R."""
+def contact(results: HoistResults, path: Path) -> None:
+    """Plot the normal force per length on drum and sheaves at three times, compared with T/R."""
     rope, R = results.model.rope, results.model.data.pitch
     with figure(3, 1, (8.0, 8.0), sharex=True) as (drawn, axes):
         for row, (state, _) in zip(axes, _states(results), strict=True):
@@ -77,7 +82,7 @@ def contact(results: Results, path: Path) -> None:
                 pressed = hoist_rest.statics(results.model, state, s[on]) / R / 1e3
                 row.plot(s[on], pressed, color="black", linewidth=0.8)
             row.plot([], [], color="black", linewidth=0.8, label="T/R")
-            row.set_title(f"t = {state.t:g} s")
+            row.set_title(f"t = {state.t:.3g} s")
             row.set_ylabel("contact force [kN/m]")
         axes[0].legend(fontsize="small", ncol=5, loc="lower center")
         drawn.suptitle("Contact with drum and sheaves, and tension over radius")
@@ -85,13 +90,13 @@ def contact(results: Results, path: Path) -> None:
         save(drawn, path)
 
 
-def strain(results: Results, path: Path) -> None:
-    """Strain of the rope and bending stress of its wires along the rope, at three times."""
+def strain(results: HoistResults, path: Path) -> None:
+    """Plot strain of the rope and bending stress of its wires along the rope, at three times."""
     rope, data = results.model.rope, results.model.data
     with figure(2, 1, (8.0, 6.5), sharex=True) as (drawn, axes):
         for state, colour in _states(results):
             s, found = rope.strain(state)
-            axes[0].plot(s, 1e3 * found, ".", color=colour, markersize=3, label=f"t = {state.t:g} s")
+            axes[0].plot(s, 1e3 * found, ".", color=colour, markersize=3, label=f"t = {state.t:.3g} s")
             s, found = rope.curvature(state)
             axes[1].plot(
                 s, data.wire_stress(1.0) * found / 1e6, ".-", color=colour, markersize=3, linewidth=0.6
@@ -103,8 +108,8 @@ def strain(results: Results, path: Path) -> None:
         save(drawn, path)
 
 
-def _states(results: Results) -> list[tuple[fx.State, str]]:
-    """States at rest, in the acceleration and at constant speed, each with a colour."""
+def _states(results: HoistResults) -> list[tuple[fx.State, str]]:
+    """Return the states at rest, in the acceleration and at constant speed, each with a colour."""
     return [(results.motion.nearest(t), colour) for t, colour in zip(TIMES, COLOURS, strict=False)]
 
 
@@ -114,8 +119,8 @@ def _labelled(axes: Any, quantity: str) -> None:
     axes.legend()
 
 
-def animation(results: Results, path: Path) -> None:
-    """The whole lift as a page for the browser, coloured by tension."""
+def animation(results: HoistResults, path: Path) -> None:
+    """Write the whole lift as a page for the browser, coloured by tension."""
     data = results.model.data
     R, r, low = data.pitch, data.sheave_radius, -data.depth
     side = float(np.cbrt(data.load / DENSITY))  # of a cube of steel

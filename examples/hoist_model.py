@@ -12,8 +12,10 @@ from functools import partial
 import numpy as np
 
 import flexel as fx
+from flexel.derive.compiled import CompiledElement, CompiledLaw
 from flexel.examples.hoist_data import HOIST, Hoist
 
+Pages = tuple[CompiledElement | None, CompiledLaw | None]
 SHEAVES = ("lower 1", "upper", "lower 2")
 BEARING_STIFFNESS, BEARING_DAMPING = 2e9, 2e5  # radial [N/m, N s/m]
 TURNING = 0.01  # speed [rad/s] at which 71 % of a bearing's friction acts
@@ -23,7 +25,7 @@ GROOVE = fx.RoundGroove(0.53 * HOIST.diameter)  # ISO 16625: 0.53 to 0.55 of the
 
 
 @dataclass(frozen=True)
-class Model:
+class HoistModel:
     """The built hoist and its rope, at rest under the first share of the load just before t = 0."""
 
     data: Hoist
@@ -33,17 +35,20 @@ class Model:
 
 
 def free_length(data: Hoist = HOIST) -> float:
-    """Rope between the drum and the anchor: four falls and three half turns [m]."""
+    """Return the length of rope between the drum and the anchor: four falls and three half turns [m]."""
     return 4 * data.depth + data.anchor + 3 * np.pi * data.pitch
 
 
 def axial_frequency(data: Hoist = HOIST) -> float:
-    """Of the load on the rope without mass: sqrt(n² EA/(L M)) with n = 4 falls [rad/s]."""
+    """Return the frequency of the load on a rope without mass: sqrt(n² EA/(L M)) with n = 4 falls [rad/s]."""
     return float(np.sqrt(16 * data.EA / (free_length(data) * data.load)))
 
 
-def hoist(data: Hoist = HOIST) -> Model:
-    """The hoist with its rope laid under the first share of the load; the rest is applied at once at t = 0."""
+def hoist(data: Hoist = HOIST, pages: Pages = (None, None)) -> HoistModel:
+    """Build the hoist with its rope laid under the first share of the load; the rest is applied at once at t = 0.
+
+    Its rope may have another element and law than the built-in ones: `pages`.
+    """
     m, R = fx.Model(gravity=(0, -9.81, 0)), data.pitch
     m.frame("ground", fixed=True)
     m.point("drum axle", (-2 * R, 0, 0), fixed=True)
@@ -74,29 +79,31 @@ def hoist(data: Hoist = HOIST) -> Model:
         EI=data.EI,
         mass_per_length=data.mass_per_length,
         damping=2 * data.damping_ratio / axial_frequency(data),
+        element=pages[0],
+        law=pages[1],
     )
     system = m.build(t=-BEFORE)
     start = system.equilibrium(hold=[f"{name} bearing.angle" for name in SHEAVES])
-    return Model(data, system, rope, start)
+    return HoistModel(data, system, rope, start)
 
 
 def _turned(data: Hoist, order: int, t: float) -> float:
-    """The drum's angle, its rate or its acceleration."""
+    """Return the drum's angle, its rate or its acceleration."""
     return data.angle(t)[order]
 
 
 def _carried(force: float, t: float) -> float:
-    """What something else carries before the start."""
+    """Return a force that acts only before the start."""
     return force if t < 0 else 0.0
 
 
 def _nothing(_: float) -> float:
-    """The rate of what is constant."""
+    """Return the rate of a constant, zero."""
     return 0.0
 
 
 def _sheave(m: fx.Model, data: Hoist, name: str, carrier: str, place: tuple[float, float, float]) -> None:
-    """A sheave on a bearing with friction, in the block or the frame."""
+    """Add a sheave on a bearing with friction, in the block or the frame."""
     m.point(f"{name} axle", place)
     m.frame(name)
     inertia = data.sheave_mass * data.sheave_radius**2 * np.array([0.4, 0.4, 0.7])
@@ -104,7 +111,7 @@ def _sheave(m: fx.Model, data: Hoist, name: str, carrier: str, place: tuple[floa
     m.bearing(f"{name} bearing", carrier, "ground", f"{name} axle", name, axis=(0, 0, 1))
     m.attach(
         "journal",
-        [f"{name} bearing.{z}" for z in ("radial1", "radial2", "angle")],
+        [f"{name} bearing.{mode}" for mode in ("radial1", "radial2", "angle")],
         stiffness=BEARING_STIFFNESS,
         damping=BEARING_DAMPING,
         friction_radius=data.friction_radius,

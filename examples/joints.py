@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 import flexel as fx
-from flexel.pictures.drawing import Sketch
+from flexel.apps.view.drawing import Sketch
 
 Make = Callable[[], fx.Model]
 Vector = tuple[float, float, float]
@@ -45,7 +45,7 @@ class Shown:
 
 
 def spatial(*places: tuple[float, float, float], joint: Callable[[fx.Model], object]) -> Make:
-    """Bodies ``a``, ``b`` … at places, and a joint."""
+    """Return a function that builds bodies ``a``, ``b`` … at given points, and a joint."""
 
     def make() -> fx.Model:
         m = fx.Model()
@@ -58,7 +58,7 @@ def spatial(*places: tuple[float, float, float], joint: Callable[[fx.Model], obj
 
 
 def planar(*places: tuple[float, float], joint: Callable[[fx.Model], object]) -> Make:
-    """The same in the plane."""
+    """Return the same function for the plane."""
 
     def make() -> fx.Model:
         m = fx.Model(gravity=(0, 0))
@@ -71,71 +71,71 @@ def planar(*places: tuple[float, float], joint: Callable[[fx.Model], object]) ->
 
 
 def spur(m: fx.Model) -> None:
-    """Two gears on parallel shafts."""
+    """Add two gears on parallel shafts."""
     m.revolute("shaft_a", "ground", "a", at=O, axis=Z)
     m.revolute("shaft_b", "ground", "b", at=(0.9, 0, 0), axis=Z)
     m.gear("mesh", "shaft_a", "shaft_b", at=(0.3, 0, 0), teeth=(20, 40))
 
 
 def bevel(m: fx.Model) -> None:
-    """Two gears on shafts at right angles."""
+    """Add two gears on shafts at right angles."""
     m.revolute("shaft_a", "ground", "a", at=O, axis=X)
     m.revolute("shaft_b", "ground", "b", at=(0.6, 0, 0.3), axis=Z)
     m.gear("mesh", "shaft_a", "shaft_b", at=(0, 0, 0.3), teeth=(20, 40))
 
 
 def worm(m: fx.Model) -> None:
-    """A worm below its wheel."""
+    """Add a worm below its wheel."""
     m.revolute("shaft_a", "ground", "a", at=O, axis=X)
     m.revolute("shaft_b", "ground", "b", at=(0, 0, 0.6), axis=Y)
     m.gear("mesh", "shaft_a", "shaft_b", at=(0, 0, 0.1), lead=0.08)
 
 
 def rack(m: fx.Model) -> None:
-    """A pinion on a rack."""
+    """Add a pinion on a rack."""
     m.revolute("shaft", "ground", "a", at=(0, 0))
     m.prismatic("guide", "ground", "b", axis=(1, 0))
     m.rack_and_pinion("teeth", "shaft", "guide", at=(0, -0.3))
 
 
 def belt(m: fx.Model) -> None:
-    """Two pulleys."""
+    """Add two pulleys."""
     m.revolute("shaft_a", "ground", "a", at=(0, 0))
     m.revolute("shaft_b", "ground", "b", at=(1, 0))
     m.belt("belt", "shaft_a", "shaft_b", radius_p=0.2, radius_q=0.4)
 
 
 def lobe(angle: float) -> float:
-    """Outline of a cam: a circle with a nose."""
+    """Return the outline of a cam: a circle with a nose."""
     return float(0.3 + 0.2 * np.exp(-6 * (1 - np.cos(angle))))
 
 
 def gimbal(m: fx.Model) -> None:
-    """A body that turns about its mass centre."""
+    """Add a body that turns about its mass centre."""
     m.fix("a")
     m.cardan_chain("yaw", "lean", "pitch", body="a")
 
 
 def socket(m: fx.Model) -> None:
-    """A ball, and the angles of its turns."""
+    """Add a ball joint, and the angles of its turns."""
     m.spherical("j", "a", "b", AT)
     m.cardan_chain("yaw", "lean", "pitch", body="b", base="a")
 
 
 def valve(m: fx.Model) -> None:
-    """A cam and a follower that slides."""
+    """Add a cam and a follower that slides."""
     m.revolute("shaft", "ground", "a", at=(0, 0))
     m.prismatic("guide", "ground", "b", axis=(0, 1))
     m.cam("lobe", "a", "b", at=(0, lobe(np.pi / 2)), outline=lobe, start=(1, 0))
 
 
 def support(angle: float) -> float:
-    """Distance of a flat face from the centre of an egg-shaped cam."""
+    """Return the distance of a flat face from the centre of an egg-shaped cam."""
     return float(0.36 + 0.08 * np.cos(angle) + 0.02 * np.cos(2 * angle))
 
 
 def tappet(m: fx.Model) -> None:
-    """A cam and a follower with a flat face."""
+    """Add a cam and a follower with a flat face."""
     m.revolute("shaft", "ground", "a", at=(0, 0))
     m.prismatic("guide", "ground", "b", axis=(0, 1))
     m.cam("lobe", "a", "b", at=(0, support(np.pi / 2)), outline=support, start=(1, 0), face=(0, 1))
@@ -147,7 +147,7 @@ PAIR = ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0))
 
 
 def on_a(joint: Callable[[fx.Model], object]) -> Make:
-    """Two rods in line along x; the first is held, and the joint is between them."""
+    """Return a function that builds two rods in line along x; the first is held, and the joint is between them."""
 
     def both(m: fx.Model) -> None:
         m.fix("a", "a_frame")
@@ -242,7 +242,7 @@ RUNS = {"belt": [[list(0.2 * n), list(np.array(X) + 0.4 * n)] for n in _N]}
 
 
 def sketches(name: str) -> list[Sketch]:
-    """Outlines of the bodies of a joint's model."""
+    """Return outlines of the bodies of a joint's model."""
     shown = JOINTS[name]
     found = [
         Sketch(body, f"{body}_frame", _box(np.array(low), np.array(high)))
@@ -256,7 +256,7 @@ def sketches(name: str) -> list[Sketch]:
 
 
 def _box(low: np.ndarray, high: np.ndarray) -> list[list[float]]:
-    """A path along all edges of a box."""
+    """Return a path along all edges of a box."""
     order = [
         (0, 0, 0),
         (1, 0, 0),
@@ -269,13 +269,13 @@ def _box(low: np.ndarray, high: np.ndarray) -> list[list[float]]:
         (1, 0, 1),
     ]
     order += [(1, 1, 1), (1, 1, 0), (1, 1, 1), (0, 1, 1), (0, 1, 0), (0, 1, 1), (0, 0, 1)]
-    return [list(np.where(z, high, low)) for z in order]
+    return [list(np.where(axis, high, low)) for axis in order]
 
 
 def _disc(centre: np.ndarray, axis: np.ndarray, radius: float) -> list[list[float]]:
-    """A circle with a spoke."""
+    """Return a circle with a spoke."""
     first = np.roll(axis, 1)
     second = np.cross(axis, first)
     angles = np.linspace(0, 2 * np.pi, 41)
     ring = centre + radius * (np.cos(angles)[:, None] * first + np.sin(angles)[:, None] * second)
-    return [list(centre), *(list(z) for z in ring)]
+    return [list(centre), *(list(point) for point in ring)]

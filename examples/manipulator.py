@@ -60,7 +60,7 @@ def manipulator(
     arm: Arm | None = None,
     rigid: bool = False,
 ) -> fx.System:
-    """The arm with its joints commanded to given angles (numbers or functions of time), with or without control."""
+    """Build the arm with joints commanded to given angles (numbers or functions of time), with or without control."""
     arm = arm or Arm()
     m = fx.Model()
     m.point("base", (0, 0), fixed=True)
@@ -80,13 +80,13 @@ def manipulator(
     m.prescribe("elbow command.angle", elbow)
     m.independent(*(JOINTS if rigid else MEASURED))
     if gains is not None:
-        inputs = [*gains.measured, *(f"{z}'" for z in gains.measured)]
+        inputs = [*gains.measured, *(f"{name}'" for name in gains.measured)]
         m.controller(np.hstack([gains.P, gains.D]), inputs=inputs, outputs=JOINTS)
     return m.build()
 
 
 def _link(m: fx.Model, name: str, start: str, root: str, x: float, arm: Arm, rigid: bool) -> None:
-    """A link of two beam elements, drawn along the x axis."""
+    """Add a link of two beam elements, drawn along the x axis."""
     mid, end = f"{name} mid", f"{name} end"
     m.point(mid, (x + arm.length / 2, 0))
     m.point(end, (x + arm.length, 0))
@@ -102,11 +102,11 @@ def _link(m: fx.Model, name: str, start: str, root: str, x: float, arm: Arm, rig
 
 
 def move(start: float, end: float, seconds: float) -> Callable[[Any], Any]:
-    """A command from rest to rest, by the polynomial of least jerk."""
+    """Return a command from rest to rest, by the polynomial of least jerk."""
 
     def angle(t: Any) -> Any:
-        z = np.minimum(np.maximum(t / seconds, 0.0), 1.0)
-        return start + (end - start) * z**3 * (10 - 15 * z + 6 * z**2)
+        fraction = np.minimum(np.maximum(t / seconds, 0.0), 1.0)
+        return start + (end - start) * fraction**3 * (10 - 15 * fraction + 6 * fraction**2)
 
     return angle
 
@@ -115,12 +115,12 @@ def move(start: float, end: float, seconds: float) -> Callable[[Any], Any]:
 
 
 def workspace(elbows: Sequence[float] | Array = ELBOWS, gains: Gains | None = None) -> list[fx.Linearization]:
-    """Linearizations at rest over the positions of the elbow; the shoulder's position does not matter."""
-    return [manipulator(0.0, float(z), gains).linearize() for z in elbows]
+    """Linearize at rest over the positions of the elbow; the shoulder's position does not matter."""
+    return [manipulator(0.0, float(elbow), gains).linearize() for elbow in elbows]
 
 
 def regulator(lin: fx.Linearization, lead: float = 0.15, effort: float = 1e-5) -> Gains:
-    """Linear-quadratic regulator: displacement and velocity of the payload against the torques.
+    """Return the linear-quadratic regulator: displacement and velocity of the payload against the torques.
 
     Parameters
     ----------
@@ -139,14 +139,14 @@ def regulator(lin: fx.Linearization, lead: float = 0.15, effort: float = 1e-5) -
 
 
 def joint_control(lin: fx.Linearization, omega: float = 8.0) -> Gains:
-    """Proportional-derivative control of the joints alone, critically damped at `omega` [rad/s] for a rigid arm."""
+    """Return proportional-derivative control of the joints alone, critically damped at `omega` [rad/s] if rigid."""
     joints = [lin.dynamic.index(name) for name in JOINTS]
     M = lin.M[np.ix_(joints, joints)]
     return Gains(omega**2 * M, 2 * omega * M, JOINTS)
 
 
 def manoeuvre(gains: Gains, seconds: float = 3.0, samples: int = 301, tolerance: float = 1e-5) -> fx.Motion:
-    """The nonlinear closed loop while both joints are commanded to new angles, and after.
+    """Simulate the nonlinear closed loop while both joints are commanded to new angles, and after.
 
     The implicit method follows it: bending vibrations of the links that are of no interest make the loop stiff.
     """
@@ -157,7 +157,7 @@ def manoeuvre(gains: Gains, seconds: float = 3.0, samples: int = 301, tolerance:
 
 
 def tip_error(motion: fx.Motion) -> Array:
-    """Distance (nt,) of the payload from where rigid links would hold it at the commanded angles [m]."""
+    """Return the distance (nt,) of the payload from where rigid links would hold it at the commanded angles [m]."""
     a, b = motion["shoulder command.angle"], motion["elbow command.angle"]
     l = Arm().length
     wanted = l * np.column_stack([np.cos(a) + np.cos(a + b), np.sin(a) + np.sin(a + b)])
@@ -168,8 +168,8 @@ def tip_error(motion: fx.Motion) -> Array:
 
 
 def pictures(out: Path) -> list[Path]:
-    """Poles over the workspace, tip errors and torques of both controllers, and the arm on its way."""
-    from flexel.pictures.figures import COLOURS, figure, save
+    """Plot poles over the workspace, tip errors and torques of both controllers, and the arm on its way."""
+    from flexel.apps.view.figures import COLOURS, figure, save
 
     out.mkdir(parents=True, exist_ok=True)
     design = manipulator(0.0, DESIGN).linearize()

@@ -20,8 +20,8 @@ from flexel.examples import bicycle
 from flexel.examples.bicycle_data import BENCHMARK, EIGENVALUES, EXACT
 from flexel.examples.differences import mismatch
 from flexel.examples.reasons import ROUNDING
-from flexel.mechanics.linearization import Linearization
-from flexel.results.report import Quantity, Report
+from flexel.results.linearization import Linearization
+from flexel.results.reproduction import Quantity, Report
 
 GRAVITY = 9.81
 WHEELBASE, RAKE, TRAIL, HEAD_HEIGHT = 1.45, 0.47, 0.11, 0.9
@@ -52,7 +52,7 @@ PLANE = ("frame.z", "pitch.angle", "fork.along", "swing.angle")
 
 
 def motorcycle(speed: float = 0.0, crown: float = 1.0) -> fx.System:
-    """The motorcycle upright; `crown` scales the radii of the tyres' cross sections (0: thin discs)."""
+    """Build the motorcycle upright; `crown` scales the radii of the tyres' cross sections (0: thin discs)."""
     m = fx.Model(gravity=(0, 0, -GRAVITY))
     axis = np.array([np.sin(RAKE), 0.0, -np.cos(RAKE)])  # of steering, downwards
     head = np.array([WHEELBASE + TRAIL - HEAD_HEIGHT * np.tan(RAKE), 0.0, HEAD_HEIGHT])
@@ -94,7 +94,7 @@ def motorcycle(speed: float = 0.0, crown: float = 1.0) -> fx.System:
 
 
 def telescope(m: fx.Model, name: str, p: str, frame: str, q: str, axis: Array) -> None:
-    """A sliding joint: the point q moves in the body (p, frame) along an axis only; the stroke is ``along``."""
+    """Add a sliding joint: the point q moves in the body (p, frame) along an axis only; the stroke is ``along``."""
     t = triad(axis, None, name)
     d0 = matrix(t).T @ (m.nodes[q].x0 - m.nodes[p].x0)
     values = {"tp": in_frame(m.nodes[frame].x0, t), "d0": d0, "l0": np.linalg.norm(d0)}
@@ -102,42 +102,46 @@ def telescope(m: fx.Model, name: str, p: str, frame: str, q: str, axis: Array) -
 
 
 def straight(system: fx.System, speed: float) -> fx.State:
-    """Steady straight running: springs and tyres take the weight, the wheels roll without slip."""
+    """Compute steady straight running: springs and tyres take the weight, the wheels roll without slip."""
     rates = dict.fromkeys(system.dynamic, 0.0) | {"frame.x": speed}
-    rates |= {f"{axle} spin.angle": speed / z["rolling_radius"] for axle, z in TYRES.items()}
+    rates |= {f"{axle} spin.angle": speed / tyre["rolling_radius"] for axle, tyre in TYRES.items()}
     return system.steady(system.state_at(rates=rates), unknown=PLANE)
 
 
 def lateral_modes(lin: Linearization) -> dict[str, fx.Mode]:
-    """Weave, wobble and capsize among the modes that lean, steer and yaw.
+    """Select weave, wobble and capsize among the modes that lean, steer and yaw.
 
     Wobble is the fastest oscillation, weave the least damped of the clearly slower ones, capsize the least stable
     motion that does not oscillate.
     """
     modes = [
-        z for z in lin.modes() if sum(z.participation[name] for name in LATERAL) > 0.5 and z.omega > 1e-3
+        mode
+        for mode in lin.modes()
+        if sum(mode.participation[name] for name in LATERAL) > 0.5 and mode.omega > 1e-3
     ]
-    swinging = [z for z in modes if z.eigenvalue.imag > 1.0]
-    wobble = max(swinging, key=lambda z: z.eigenvalue.imag)
+    swinging = [mode for mode in modes if mode.eigenvalue.imag > 1.0]
+    wobble = max(swinging, key=lambda mode: mode.eigenvalue.imag)
     found = {"wobble": wobble}
-    slower = [z for z in swinging if z.eigenvalue.imag < 0.7 * wobble.eigenvalue.imag]
+    slower = [mode for mode in swinging if mode.eigenvalue.imag < 0.7 * wobble.eigenvalue.imag]
     if slower:
-        found["weave"] = max(slower, key=lambda z: z.eigenvalue.real)
-    creeping = [z for z in modes if abs(z.eigenvalue.imag) < 1e-6]
+        found["weave"] = max(slower, key=lambda mode: mode.eigenvalue.real)
+    creeping = [mode for mode in modes if abs(mode.eigenvalue.imag) < 1e-6]
     if creeping:
-        found["capsize"] = max(creeping, key=lambda z: z.eigenvalue.real)
+        found["capsize"] = max(creeping, key=lambda mode: mode.eigenvalue.real)
     return found
 
 
 def loci(speeds: tuple[float, ...] = SPEEDS, crown: float = 1.0) -> list[dict[str, fx.Mode]]:
-    """Lateral modes at each speed, linearized again about steady running."""
+    """Compute the lateral modes at each speed, linearized again about steady running."""
     system = motorcycle(crown=crown)
     return [lateral_modes(system.linearize(straight(system, v))) for v in speeds]
 
 
 def unstable_range(found: list[dict[str, fx.Mode]], name: str) -> list[float]:
-    """Speeds [m/s] between which a mode grows, read off its real part over `SPEEDS`; empty where it never does."""
-    points = [(v, z[name].eigenvalue.real) for v, z in zip(SPEEDS, found, strict=True) if name in z]
+    """Return the speeds [m/s] between which a mode grows, by its real part over `SPEEDS`; empty if it never does."""
+    points = [
+        (v, modes[name].eigenvalue.real) for v, modes in zip(SPEEDS, found, strict=True) if name in modes
+    ]
     growing = [v for v, real in points if real > 0]
     crossings = [v0 - a * (v1 - v0) / (b - a) for (v0, a), (v1, b) in pairwise(points) if a * b < 0]
     ends = [v for v in (points[0][0], points[-1][0]) if v in growing]
@@ -145,7 +149,7 @@ def unstable_range(found: list[dict[str, fx.Mode]], name: str) -> list[float]:
 
 
 def reproduce(out: Path | None = None) -> Report:
-    """Modes over the speed with toroidal and with thin tyres, what confirms the tyres, and the linearization."""
+    """Compare modes over the speed with toroidal and thin tyres, what confirms the tyres, and the linearization."""
     system = motorcycle()
     found = {"toroidal": loci(), "thin": loci(crown=0.0)}
     error = mismatch(system, straight(system, 30.0))
@@ -168,15 +172,15 @@ def reproduce(out: Path | None = None) -> Report:
     ]
     for tyres, modes in found.items():
         for name in ("weave", "wobble", "capsize"):
-            table = [[v, z[name].eigenvalue.real, z[name].eigenvalue.imag]
-                     for v, z in zip(SPEEDS, modes, strict=True) if name in z]  # fmt: skip
+            table = [[v, at_speed[name].eigenvalue.real, at_speed[name].eigenvalue.imag]
+                     for v, at_speed in zip(SPEEDS, modes, strict=True) if name in at_speed]  # fmt: skip
             rows.append(Quantity(f"{name}_{tyres}", table, source="rows of speed, real, imaginary part"))
             grows = unstable_range(modes, name)
             said = f"speeds between which it grows, of {SPEEDS[0]:g} ... {SPEEDS[-1]:g} m/s"
             if grows:
                 rows.append(Quantity(f"{name}_{tyres}_unstable", grows, unit="m/s", source=said))
             else:
-                least = max(table, key=lambda z: z[1])[:2]
+                least = max(table, key=lambda row: row[1])[:2]
                 said = (
                     "dies out at every speed; where it does so slowest [m/s], and its real part there [1/s]"
                 )
@@ -189,7 +193,7 @@ def reproduce(out: Path | None = None) -> Report:
 
 
 def bicycle_on_tyres(speed: float, crown: float, stiffness: float) -> Array:
-    """Eigenvalues of the benchmark's bicycle on Magic Formula tyres that are stiff in every direction."""
+    """Compute the eigenvalues of the benchmark's bicycle on Magic Formula tyres that are stiff in every direction."""
     p = BENCHMARK
     m = fx.Model(gravity=(0, 0, p["g"]))
     bicycle.mechanism(m, p)
@@ -214,17 +218,17 @@ def bicycle_on_tyres(speed: float, crown: float, stiffness: float) -> Array:
 
 
 def rigid_bicycle(speed: float, crown: float) -> Array:
-    """Lean and steer eigenvalues of the benchmark's bicycle on rigid toroidal wheels."""
+    """Compute lean and steer eigenvalues of the benchmark's bicycle on rigid toroidal wheels."""
     return np.asarray(bicycle.lean_steer(bicycle.bicycle(crown=crown), speed).eigenvalues())
 
 
 def nearest(found: Array, wanted: Array) -> Array:
-    """The eigenvalue nearest to each of those wanted."""
-    return np.array([found[np.argmin(np.abs(found - z))] for z in wanted])
+    """Return the the eigenvalue nearest to each of those wanted."""
+    return np.array([found[np.argmin(np.abs(found - eigenvalue))] for eigenvalue in wanted])
 
 
 def confirmations() -> list[Quantity]:
-    """Tyres with and without a crown on the benchmark's bicycle, at 5 m/s."""
+    """Compare tyres with and without a crown on the benchmark's bicycle, at 5 m/s."""
     published = np.array(EIGENVALUES[5])
     rounded = rigid_bicycle(5.0, 0.05)
     stiff = "stiff Magic Formula tyres, error as one over the stiffness (1e8 N/m)"
@@ -239,18 +243,18 @@ def confirmations() -> list[Quantity]:
 
 
 def picture(found: dict[str, list[dict[str, fx.Mode]]], out: Path) -> Path:
-    """Real and imaginary parts of the lateral modes over the speed."""
+    """Plot real and imaginary parts of the lateral modes over the speed."""
     from scipy.interpolate import CubicSpline
 
-    from flexel.pictures.figures import COLOURS, GUIDE, figure, save
+    from flexel.apps.view.figures import COLOURS, GUIDE, figure, save
 
     out.mkdir(parents=True, exist_ok=True)
     path = out / "motorcycle_modes.png"
     with figure(2, size=(8.0, 6.4), sharex=True) as (drawn, axes):
         for style, (tyres, modes) in zip(("-", "--"), found.items(), strict=True):
             for colour, name in zip(COLOURS, ("weave", "wobble", "capsize"), strict=False):
-                points = np.array([[v, z[name].eigenvalue.real, z[name].eigenvalue.imag / (2 * np.pi)]
-                                   for v, z in zip(SPEEDS, modes, strict=True) if name in z])  # fmt: skip
+                points = np.array([[v, at_speed[name].eigenvalue.real, at_speed[name].eigenvalue.imag / (2 * np.pi)]
+                                   for v, at_speed in zip(SPEEDS, modes, strict=True) if name in at_speed])  # fmt: skip
                 fine = np.linspace(points[0, 0], points[-1, 0], 300)
                 for panel, values in zip(axes, CubicSpline(points[:, 0], points[:, 1:])(fine).T, strict=True):
                     panel.plot(fine, values, style, color=colour, label=f"{name}, {tyres} tyres")

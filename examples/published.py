@@ -8,7 +8,7 @@ from typing import Any
 
 
 def published(name: str) -> dict[str, Any]:
-    """The table of that name; numbers with many digits may be text.
+    """Return the table of that name; numbers with many digits may be text.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Ropes beside closed forms: hanging, over drums and sheaves, striking a plane.
+"""Ropes compared with closed forms: hanging, over drums and sheaves, striking a plane.
 
 `reproduce` gives the relative error of each problem on its finest mesh, with the order of convergence.
 The problems are in `flexel.examples.rope_hanging`, `rope_waves`, `rope_swings`,
@@ -17,11 +17,11 @@ from flexel.examples import rope_pendulums as pendulums
 from flexel.examples import rope_sheaves as sheaves
 from flexel.examples import rope_swings as swings
 from flexel.examples import rope_waves as waves
-from flexel.results.report import Report
+from flexel.results.reproduction import Report
 
 
 def reproduce(out: Path | None = None) -> Report:
-    """All problems beside their closed forms; figures in `out`, if given."""
+    """Compute all problems with their closed forms; write figures to `out`, if given."""
     parts = (hanging, waves, swings, pendulums, sheaves, hoists, drums, belts)
     rows = [row for part in parts for row in part.rows()]
     files: list[Path] = []

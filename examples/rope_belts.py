@@ -13,8 +13,8 @@ import flexel as fx
 from flexel.base.arrays import Array
 from flexel.examples.rope_models import THIN, WHEEL, run_up
 from flexel.examples.rope_table import over_meshes
-from flexel.results.report import Quantity
-from flexel.rope.rope import Rope
+from flexel.parts.rope import Rope
+from flexel.results.reproduction import Quantity
 
 SPAN = 0.5  # between the axles [m]
 EA, EI, MASS = 2e4, 1e-4, 0.05  # stiffnesses [N], [N m²] and mass per length [kg/m]
@@ -30,7 +30,7 @@ VIBRATIONS = "what is left of the vibrations, which differs between machines"
 
 
 @dataclass(frozen=True)
-class Drive:
+class BeltDrive:
     """The steady motion: tight and slack tension [N], creep, and the angle [rad] over which each pulley slips."""
 
     tight: float
@@ -39,8 +39,8 @@ class Drive:
     slip: float
 
 
-def exact(length: float) -> Drive:
-    """Closed form for a belt of an undeformed length [m] on rigid pulleys, with the inertia of the belt.
+def exact(length: float) -> BeltDrive:
+    """Return the closed form for a belt of an undeformed length [m] on rigid pulleys, with the inertia of the belt.
 
     A belt adheres where it runs onto a pulley, with the tension that it brings, and slips before it leaves: the
     tension less ρA v² changes by exp(μ φ) over the angle φ.  The pulleys turn with the speeds of the belt where it
@@ -64,11 +64,11 @@ def exact(length: float) -> Drive:
     least = inertia + step / (np.exp(FRICTION * np.pi) - 1)  # below it, the whole wrap slips
     slack = float(brentq(lambda T: undeformed(T) - length, least, 10 * EA, xtol=1e-12))
     tight = slack + step
-    return Drive(tight, slack, 1 - (1 + slack / EA) / (1 + tight / EA), slip(slack))
+    return BeltDrive(tight, slack, 1 - (1 + slack / EA) / (1 + tight / EA), slip(slack))
 
 
 def belt(n: int, space: bool = False) -> tuple[fx.System, Rope]:
-    """A driver, whose speed grows to its value, and a driven pulley, whose torque grows with it."""
+    """Build a driver, whose speed grows to its value, and a driven pulley, whose torque grows with it."""
     m, size = fx.Model(), 3 if space else 2
     for name, x in (("A", 0.0), ("B", SPAN)):
         m.point(name, (x, 0.0, 0.0)[:size], fixed=True)
@@ -91,8 +91,8 @@ def belt(n: int, space: bool = False) -> tuple[fx.System, Rope]:
 
 
 @cache
-def found(n: int, space: bool = False) -> Drive:
-    """The same from a motion, averaged over the last part; the angle of slip from the tension along the driver."""
+def found(n: int, space: bool = False) -> BeltDrive:
+    """Measure the same in a motion, averaged over its last part; the slip angle from the tension along the driver."""
     system, rope = belt(n, space)
     motion = system.simulate(
         END, method="generalized-alpha", step=2e-3, samples=161, spectral_radius=0.5, progress=False
@@ -101,12 +101,14 @@ def found(n: int, space: bool = False) -> Drive:
     spans = np.array([_spans(state, rope) for state in steady]).mean(axis=0)
     rate = motion.rate("output.angle")[motion.t > SETTLED].mean()
     ratio = float((spans[0] - MASS * (SPEED * WHEEL) ** 2) / (spans[1] - MASS * (SPEED * WHEEL) ** 2))
-    return Drive(float(spans[0]), float(spans[1]), 1 - float(rate) / SPEED, float(np.log(ratio)) / FRICTION)
+    return BeltDrive(
+        float(spans[0]), float(spans[1]), 1 - float(rate) / SPEED, float(np.log(ratio)) / FRICTION
+    )
 
 
 def _spans(state: fx.State, rope: Rope) -> Array:
-    """Tension (2,) in the middle of the tight and of the slack part, the upper and the lower one."""
-    places = np.array([state.position(z.name)[:2] for z in rope.points])
+    """Return the tension (2,) in the middle of the tight and of the slack part, the upper and the lower one."""
+    places = np.array([state.position(point.name)[:2] for point in rope.points])
     middles = (places + np.roll(places, -1, axis=0)) / 2
     T = rope.tension(state)[1].reshape(-1, 3).mean(axis=1)
     free = abs(middles[:, 0] - SPAN / 2) < SPAN / 4
@@ -114,7 +116,7 @@ def _spans(state: fx.State, rope: Rope) -> Array:
 
 
 def errors(n: int, space: bool = False) -> tuple[float, float]:
-    """Relative error of the creep, and the larger one of the two tensions."""
+    """Return the relative error of the creep, and the larger one of the two tensions."""
     drive = found(n, space)
     given = exact(float(belt(n)[1].s[-1]))
     tensions = abs(drive.tight / given.tight - 1), abs(drive.slack / given.slack - 1)
@@ -122,7 +124,7 @@ def errors(n: int, space: bool = False) -> tuple[float, float]:
 
 
 def rows() -> list[Quantity]:
-    """Creep, tensions, torque; the belt in space."""
+    """Compare creep, tensions, torque; the belt in space."""
     n = MESHES[-1]
     drive, given = found(n), exact(float(belt(n)[1].s[-1]))
     flat, space = found(MESHES[0]), found(MESHES[0], space=True)

@@ -9,8 +9,8 @@ import numpy as np
 import flexel as fx
 from flexel.base.arrays import Array
 from flexel.examples.rope_models import G
-from flexel.results.report import Quantity
-from flexel.rope.rope import Rope
+from flexel.parts.rope import Rope
+from flexel.results.reproduction import Quantity
 
 RADIUS, ROPE, LEAD = (
     0.2,
@@ -25,7 +25,7 @@ ELEMENTS = 60
 
 @cache
 def wound(lead: float = LEAD, n: int = ELEMENTS) -> tuple[fx.Motion, Rope]:
-    """The load hangs from half a turn on a drum about x, which then turns twice, from rest to rest."""
+    """Hang the load from half a turn on a drum about x, which then turns twice, from rest to rest."""
     m = fx.Model(gravity=(0, 0, -G))
     m.point("C", (0, 0, 0), fixed=True)
     m.frame("G", fixed=True)
@@ -52,21 +52,21 @@ def wound(lead: float = LEAD, n: int = ELEMENTS) -> tuple[fx.Motion, Rope]:
 
 
 def places(state: fx.State, rope: Rope) -> Array:
-    """Places (n + 1, 3) of the rope's nodes: along the axle [m], radius [m], angle [rad], which counts turns."""
+    """Return positions (n + 1, 3) of the rope's nodes: along the axle [m], radius [m], angle [rad] with its turns."""
     x = np.array([state.position(p.name) for p in rope.points])
     angle = np.unwrap(np.arctan2(x[:, 2], x[:, 1]))
     return np.stack([x[:, 0], np.hypot(x[:, 1], x[:, 2]), angle], axis=1)
 
 
 def lift(lead: float = LEAD) -> tuple[float, float]:
-    """Height [m] by which the load is lifted, and the length of the helix that was wound."""
+    """Return the height [m] by which the load is lifted, and the length of the helix that was wound."""
     z = wound(lead)[0]["load.z"]
     radius = RADIUS - CONTACT.depth(LOAD * G / RADIUS, 0.0)
     return float(z[-1] - z[0]), TURNS * float(np.hypot(2 * np.pi * radius, lead))
 
 
 def groove_error(lead: float = LEAD) -> float:
-    """Largest axial distance of the wound rope from the helix over the lead; but for the last quarter turn."""
+    """Return the largest axial distance of the rope from the helix over the lead; without the last quarter turn."""
     motion, rope = wound(lead)
     along, _, angle = places(motion[-1], rope)[rope.s < 2 * np.pi * RADIUS * (TURNS + 0.25)].T
     return float(abs(along - along[0] - lead / (2 * np.pi) * (angle - angle[0])).max() / abs(lead))

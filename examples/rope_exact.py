@@ -44,7 +44,7 @@ class Catenary:
     V: float
 
     def __call__(self, u: float) -> tuple[float, float]:
-        """Place of the closed form at the undeformed arc length u L0 (Irvine 1981)."""
+        """Return the point of the closed form at the undeformed arc length u L0 (Irvine 1981)."""
         s = u * self.L0
         H, V, w = self.H, self.V, self.w
         x = H * s / self.EA + H / w * (np.arcsinh(V / H) - np.arcsinh((V - w * s) / H))
@@ -62,21 +62,21 @@ CATENARY = Catenary(10.0, 3.0, 12.0, 19.62, 1e5, 101.2854789775084, 78.413151726
 
 
 def chain_frequencies(length: float, count: int) -> Array:
-    """Frequencies (count,) [rad/s] of a chain that hangs from one end: zeros of the Bessel function J0."""
+    """Return frequencies (count,) [rad/s] of a chain that hangs from one end: zeros of the Bessel function J0."""
     return np.asarray(jn_zeros(0, count) / 2 * np.sqrt(G / length))
 
 
 def loaded_chain_frequencies(length: float, share: float, count: int) -> Array:
-    """Frequencies (count,) [rad/s] of a hanging chain with a payload of 1/share of its mass at its end.
+    """Return frequencies (count,) [rad/s] of a hanging chain with a payload of 1/share of its mass at its end.
 
-    Shapes are A J0(z) + B Y0(z) with z = 2 ω sqrt((y + l)/g) at a height y over the payload and l = length/share; the
-    top is at rest, and the payload swings like the last of the chain: J2(z₀) Y0(z₁) = Y2(z₀) J0(z₁).
+    Shapes are A J0(s) + B Y0(s) with s = 2 ω sqrt((y + l)/g) at a height y over the payload and l = length/share; the
+    top is at rest, and the payload swings like the last of the chain: J2(s₀) Y0(s₁) = Y2(s₀) J0(s₁).
     """
     l = length / share
 
     def residual(omega: float) -> float:
-        z = 2 * omega * np.sqrt(np.array([l, l + length]) / G)
-        return float(jv(2, z[0]) * yv(0, z[1]) - yv(2, z[0]) * jv(0, z[1]))
+        s = 2 * omega * np.sqrt(np.array([l, l + length]) / G)
+        return float(jv(2, s[0]) * yv(0, s[1]) - yv(2, s[0]) * jv(0, s[1]))
 
     step = (
         np.pi / 16 * np.sqrt(G) / (np.sqrt(l + length) - np.sqrt(l))
@@ -87,13 +87,13 @@ def loaded_chain_frequencies(length: float, share: float, count: int) -> Array:
 
 
 def stretched_frequencies(share: float, count: int) -> Array:
-    """Frequencies (count,) along a rope of a share of its payload's mass, in units of sqrt(k/payload).
+    """Return frequencies (count,) along a rope of a share of its payload's mass, in units of sqrt(k/payload).
 
     beta tan beta = share, frequency beta/sqrt(share); a third of the rope's mass added to the payload gives nearly the
     first, 1/sqrt(1 + share/3).
     """
     roots = [
-        brentq(lambda z: z * np.sin(z) - share * np.cos(z), k * np.pi, (k + 0.5) * np.pi, xtol=1e-15)
+        brentq(lambda x: x * np.sin(x) - share * np.cos(x), k * np.pi, (k + 0.5) * np.pi, xtol=1e-15)
         for k in range(count)
     ]
     return np.asarray(np.array(roots) / np.sqrt(share))
@@ -102,7 +102,7 @@ def stretched_frequencies(share: float, count: int) -> Array:
 def atwood_fall(
     t: Array, m1: float, m2: float, rope: float, length: float, inertia: float, radius: float
 ) -> Array:
-    """Fall (nt,) [m] of the mass m1 of Atwood's machine from rest, with a rope of a mass per length, level at first.
+    """Return the fall (nt,) [m] of m1 of Atwood's machine from rest, the rope with a mass per length, level at first.
 
     (m1 + m2 + rope length + inertia/radius²) x'' = (m1 - m2) g + 2 rope g x
     """
@@ -111,13 +111,13 @@ def atwood_fall(
 
 
 def hertz(stiffness: float, mass: float, speed: float) -> tuple[float, float]:
-    """Largest approach [m] and duration [s] of the impact of a mass on a spring of exponent 3/2."""
+    """Return the largest approach [m] and duration [s] of the impact of a mass on a spring of exponent 3/2."""
     approach = (5 * mass * speed**2 / (4 * stiffness)) ** 0.4
     return float(approach), CONTACT_TIME * approach / speed
 
 
 def sliding_fall(t: Array, ahead: float, length: float) -> Array:
-    """Fall (nt,) [m] of the lower end of a rope over a smooth edge, which hangs lower by twice `ahead` at first."""
+    """Return the fall (nt,) [m] of the lower end of a rope over a smooth edge, lower by twice `ahead` at first."""
     return np.asarray(2 * ahead * np.sinh(np.sqrt(G / (2 * length)) * t) ** 2)
 
 
@@ -131,7 +131,7 @@ def reduced_hoist(
     speed: Callable[[float], float],
     stretched: bool,
 ) -> tuple[Array, Array]:
-    """Depth (nt,) [m] and tension (nt,) [N] of a load that is released on a rope that a drum winds up.
+    """Return depth (nt,) [m] and tension (nt,) [N] of a load that is released on a rope that a drum winds up.
 
     The rope is massless and straight; its tension is EA (strain + damping strain') with the strain x/l - 1 of its free
     undeformed length l.  The drum takes up an undeformed length of radius times angle, or, `stretched`, the rope as it

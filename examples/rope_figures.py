@@ -1,4 +1,4 @@
-"""Pictures of the rope problems beside their closed forms."""
+"""Figures of the rope problems with their closed forms."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from flexel.apps.view.figures import COLOURS, figure, save
 from flexel.base.arrays import Array
 from flexel.examples import rope_data as data
 from flexel.examples import rope_drums as drums
@@ -19,17 +20,13 @@ from flexel.examples import rope_pendulums as pendulums
 from flexel.examples import rope_sheaves as sheaves
 from flexel.examples import rope_swings as swings
 from flexel.examples import rope_waves as waves
-from flexel.pictures.figures import COLOURS, figure, save
-from flexel.pictures.shape import cubic
-from flexel.results.report import Quantity
-from flexel.rope.cable_results import cable_tension
-from flexel.structure.state import State
-
-XI = np.linspace(0, 1, 9)[:, None]  # where the curve of an element is drawn
+from flexel.model.state import State
+from flexel.parts.cable_results import cable_tension
+from flexel.results.reproduction import Quantity
 
 
 def pictures(rows: Sequence[Quantity], out: Path) -> list[Path]:
-    """Write all figures into a folder; returns what was written."""
+    """Write all figures to a folder; return their paths."""
     out.mkdir(parents=True, exist_ok=True)
     names: dict[str, Callable[[Path], None]] = {
         "rope_catenary.png": catenary,
@@ -47,22 +44,20 @@ def pictures(rows: Sequence[Quantity], out: Path) -> list[Path]:
     return [out / name for name in names]
 
 
-def curve(state: State, name: str, n: int, l0: float) -> Array:
-    """Centre line (9 n, 2) of a planar cable line of n elements, each of an undeformed length."""
-    ends = [(state.position(f"{name}_p{i}"), l0 * state.position(f"{name}_d{i}")) for i in range(n + 1)]
-    parts = zip(ends[:-1], ends[1:], strict=True)
-    return np.concatenate([cubic(XI, (p, q), (dp, dq)) for (p, dp), (q, dq) in parts])
+def curve(state: State, name: str, n: int) -> Array:
+    """Return the centre line (9 n, 2) of a planar cable line of n elements."""
+    return np.concatenate([state.outputs(f"{name}{i + 1}")["line"] for i in range(n)])
 
 
 def catenary(path: Path) -> None:
-    """A hanging cable of six elements on the closed form, and its tension."""
+    """Plot a hanging cable of six elements on the closed form, and its tension."""
     case, n = exact.CATENARY, 6
     state = hanging.catenary(case, n)
     u = np.linspace(0, 1, 61)
-    closed = np.array([case(z) for z in u])
+    closed = np.array([case(value) for value in u])
     with figure(1, 2, (9.0, 3.8)) as (drawn, axes):
         axes[0].plot(*closed.T, color=COLOURS[5], lw=1, label="closed form (Irvine)")
-        axes[0].plot(*curve(state, "rope", n, case.L0 / n).T, "--", color=COLOURS[0], label="6 elements")
+        axes[0].plot(*curve(state, "rope", n).T, "--", color=COLOURS[0], label="6 elements")
         points = np.array([state.position(f"rope_p{i}") for i in range(n + 1)])
         axes[0].plot(*points.T, "o", color=COLOURS[0], ms=4)
         axes[0].set(xlabel="x [m]", ylabel="y [m]", aspect="equal")
@@ -77,7 +72,7 @@ def catenary(path: Path) -> None:
 
 
 def pulse(path: Path) -> None:
-    """A pulse of tension that passes the middle of the rope and comes back from a second, heavier or lighter one."""
+    """Plot a pulse of tension that passes the middle of the rope and comes back from a heavier or lighter one."""
     with figure(2, 1, (8.0, 5.5), sharex=True) as (drawn, axes):
         for panel, ratio in zip(axes, (4.0, 0.25), strict=True):
             t, T, given = waves.pulse(20, ratio)
@@ -90,13 +85,13 @@ def pulse(path: Path) -> None:
 
 
 def pendulum(path: Path) -> None:
-    """Shapes of the soft pendulum of the literature, and the tip of a stiffer one beside its reference."""
-    L, n, E = data.PENDULUM["L"], 32, 0.7e9
+    """Draw shapes of the soft pendulum of the literature, and the tip of a stiffer one with its reference."""
+    n, E = 32, 0.7e9
     motion = swings.pendulum(swings.SOFT, n)
     with figure(1, 2, (9.0, 4.2)) as (drawn, axes):
         for i in range(0, 21, 2):
             shade = 0.25 + 0.75 * i / 20
-            axes[0].plot(*curve(motion[i], "rod", n, L / n).T, color=COLOURS[0], alpha=shade)
+            axes[0].plot(*curve(motion[i], "rod", n).T, color=COLOURS[0], alpha=shade)
         axes[0].set(xlabel="x [m]", ylabel="y [m]", aspect="equal", title="E = 0.7 MPa, every 0.1 s")
         t = np.linspace(0, 1, 21)
         for k, label in enumerate("xy"):
@@ -109,13 +104,13 @@ def pendulum(path: Path) -> None:
 
 
 def wrapping(path: Path) -> None:
-    """Bobs that swing on ropes over a sheave, one held at its other end, one with a mass there."""
+    """Draw bobs that swing on ropes over a sheave, one held at its other end, one with a mass there."""
     cases = {"held at its other end": pendulums.HELD, "1.2 kg at its other end": pendulums.TURNING}
     with figure(1, 2, (9.0, 4.8)) as (drawn, axes):
         for panel, (title, case) in zip(axes, cases.items(), strict=True):
             motion, rope = pendulums.motion(case, 56)
             for i, colour in ((0, COLOURS[3]), (37, COLOURS[0])):
-                shape = np.array([motion[i].position(z.name) for z in rope.points])
+                shape = np.array([motion[i].position(point.name) for point in rope.points])
                 panel.plot(*shape.T, color=colour, label=f"rope at {motion.t[i]:g} s")
             given = pendulums.exact(case, np.linspace(0, case.duration, 301))
             panel.plot(*given.T, color=COLOURS[5], lw=1, label="Lagrange's equations")
@@ -131,12 +126,14 @@ def wrapping(path: Path) -> None:
 
 
 def capstan(path: Path) -> None:
-    """Ratio of the tensions over the wrap."""
+    """Plot the ratio of the tensions over the wrap."""
     wraps = np.linspace(0, 560, 57)
     with figure(1, 1, (8.0, 4.5)) as (drawn, panel):
         for mu, colour in zip(sheaves.FRICTIONS, COLOURS, strict=False):
             panel.plot(wraps, np.exp(mu * np.radians(wraps)), color=colour, label=f"μ = {mu:g}")
-            found = [sheaves.capstan_ratio(mu, z, sheaves.capstan_elements(z)) for z in sheaves.WRAPS]
+            found = [
+                sheaves.capstan_ratio(mu, wrap, sheaves.capstan_elements(wrap)) for wrap in sheaves.WRAPS
+            ]
             panel.plot(sheaves.WRAPS, found, "o", color=colour)
         panel.set(
             xlabel="wrap [°]", ylabel="tension held over tension pulled [-]", yscale="log", xlim=(0, 560)
@@ -147,7 +144,7 @@ def capstan(path: Path) -> None:
 
 
 def atwood(path: Path) -> None:
-    """Fall and tensions at both ends, with a heavy and with a light rope."""
+    """Plot fall and tensions at both ends, with a heavy and with a light rope."""
     t = np.linspace(0, 0.3, 61)
     with figure(1, 2, (9.0, 4.0)) as (drawn, axes):
         for mass, colour in ((1.0, COLOURS[0]), (0.01, COLOURS[1])):
@@ -167,7 +164,7 @@ def atwood(path: Path) -> None:
 
 
 def winding_hoist(path: Path) -> None:
-    """Depth of the load and tension while a drum winds the rope up."""
+    """Plot depth of the load and tension while a drum winds the rope up."""
     n = hoists.MESHES[-1]
     t, depth, tension = hoists.wound_up(n)
     fine = np.linspace(0, 3, 1201)
@@ -185,11 +182,11 @@ def winding_hoist(path: Path) -> None:
 
 
 def drum(path: Path) -> None:
-    """A rope on a drum with a helical groove before, while and after it is wound up, and its place in the groove."""
+    """Draw a rope on a drum with a helical groove before, while and after it is wound up, and its axial position."""
     motion, rope = drums.wound()
     with figure(1, 2, (9.0, 4.8)) as (drawn, axes):
         for i, colour in zip((0, 10, 20), COLOURS, strict=False):
-            nodes = np.array([motion[i].position(z.name) for z in rope.points])
+            nodes = np.array([motion[i].position(point.name) for point in rope.points])
             label = f"{abs(motion['axle.angle'][i]) / (2 * np.pi):.0f}"
             axes[0].plot(nodes[:, 0], nodes[:, 2], color=colour, label=label)
             along, radius, angle = drums.places(motion[i], rope).T
@@ -208,11 +205,11 @@ def drum(path: Path) -> None:
 
 
 def convergence(rows: Sequence[Quantity], path: Path) -> None:
-    """Errors over the meshes of all problems that have them."""
+    """Plot errors over the meshes of all problems that have them."""
     listed = [row.more for row in rows]
     names = [row.name for row in rows]
     with figure(1, 1, (9.0, 6.0)) as (drawn, panel):
-        drawn_rows = [(name, z) for name, z in zip(names, listed, strict=True) if "errors" in z]
+        drawn_rows = [(name, row) for name, row in zip(names, listed, strict=True) if "errors" in row]
         for i, (name, more) in enumerate(drawn_rows):
             style: Any = {"color": COLOURS[i % len(COLOURS)], "marker": "osv^D*"[i // len(COLOURS)], "ms": 4}
             label = f"{name.removesuffix('_error')} ({more['order']:.1f})"

@@ -12,7 +12,7 @@ from flexel.examples import rope_exact as exact
 from flexel.examples import rope_models as models
 from flexel.examples.flexures_exact import cantilever_elastica
 from flexel.examples.rope_table import over_meshes
-from flexel.results.report import Quantity
+from flexel.results.reproduction import Quantity
 
 MESHES = (12, 24, 48)
 CHAIN_MESHES = (32, 64, 128)
@@ -23,19 +23,19 @@ CHAIN = 2.0  # length of what hangs [m]
 
 
 def end_forces(state: fx.State, n: int) -> Array:
-    """Forces of the supports of a hanging cable (3,): horizontal at the first end, tensions at both."""
+    """Return the forces of the supports of a hanging cable (3,): horizontal at the first end, tensions at both."""
     a, b = (np.array([state.force(f"rope_p{i}.{c}") for c in "xy"]) for i in (0, n))
     return np.array([-a[0], np.hypot(*a), np.hypot(*b)])
 
 
 def catenary(case: exact.Catenary, n: int, EI: float = 0.0) -> fx.State:
-    """Equilibrium of a cable of n elements, started from the closed form."""
+    """Compute the equilibrium of a cable of n elements, started from the closed form."""
     return models.hanging_between(case, n, length=case.L0, EA=case.EA, weight=case.w, EI=EI).equilibrium()
 
 
 @cache
 def catenary_errors(n: int) -> tuple[float, float]:
-    """Largest relative error of the end forces of the catenary, and that of its middle over its depth."""
+    """Return the largest relative errors of the catenary's end forces, and of its middle, over its depth."""
     forces, middle = exact.CATENARY.forces, exact.CATENARY(0.5)
     state = catenary(exact.CATENARY, n)
     off = state.position(f"rope_p{n // 2}") - middle
@@ -43,37 +43,37 @@ def catenary_errors(n: int) -> tuple[float, float]:
 
 
 def elastica_error(n: int) -> float:
-    """Error of the tip of a cantilever under a large load, over its length."""
+    """Return the error of the tip of a cantilever under a large load, over its length."""
     tip = models.cantilever(n, ELASTICA).equilibrium().position(f"rope_p{n}")
     down, back = cantilever_elastica(ELASTICA)
     return float(np.hypot(tip[1] - down, 1 - tip[0] - back))
 
 
 def wrapped_error(n: int) -> float:
-    """Largest relative error of the tension at any point of a rope over a sheave, from that of its straight parts."""
+    """Return the largest relative error of the tension in a rope over a sheave, from that of its straight parts."""
     system, rope = models.wrapped_sheave(n)
     T = rope.tension(system.equilibrium())[1]
     return float(abs(T / T[0] - 1).max())
 
 
 def chain_error(n: int) -> float:
-    """Largest relative error of the four lowest frequencies of a hanging chain of n bars."""
+    """Return the largest relative error of the four lowest frequencies of a hanging chain of n bars."""
     return _of_frequencies(models.hanging_chain(n, CHAIN), exact.chain_frequencies(CHAIN, 4))
 
 
 def loaded_rope_error(n: int, share: float = 1.0) -> float:
-    """The same of a hanging rope of n elements, of a share of its payload's mass."""
+    """Return the same for a hanging rope of n elements, of a share of its payload's mass."""
     system = models.loaded_rope(n, CHAIN, 1.5 * CHAIN / share)
     return _of_frequencies(system, exact.loaded_chain_frequencies(CHAIN, share, 4))
 
 
 def _of_frequencies(system: fx.System, given: Array) -> float:
-    found = [z.omega for z in system.vibrations(count=4)]
+    found = [mode.omega for mode in system.vibrations(count=4)]
     return float(abs(np.array(found) / given - 1).max())
 
 
 def rows() -> list[Quantity]:
-    """Catenary, hanging chain and rope, elastica, rope over a sheave."""
+    """Compare catenary, hanging chain and rope, elastica, rope over a sheave."""
     irvine = "Irvine's catenary"
     return [
         over_meshes("catenary_error", lambda n: catenary_errors(n)[0], MESHES, 2.5e-7, f"end forces, {irvine}"),

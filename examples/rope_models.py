@@ -8,8 +8,8 @@ import numpy as np
 
 import flexel as fx
 from flexel.base.arrays import Array
-from flexel.rope.path import Part, Path
-from flexel.rope.rope import Rope
+from flexel.parts.rope import Rope
+from flexel.parts.rope_path import PathPart, RopePath
 
 RunUp = tuple[Callable[[float], float], Callable[[float], float], Callable[[float], float]]
 G = 9.81
@@ -26,7 +26,7 @@ def hanging_between(
     weight: float,
     EI: float = 0.0,
 ) -> fx.System:
-    """A cable of n elements with a weight per length between two fixed points, drawn along a curve."""
+    """Build a cable of n elements with a weight per length between two fixed points, drawn along a curve."""
     m = fx.Model(gravity=(0, -G))
     rope = m.cable_line("rope", curve, n, length=length, EA=EA, EI=EI, mass_per_length=weight / G)
     m.fix(rope.points[0], rope.points[-1])
@@ -34,7 +34,7 @@ def hanging_between(
 
 
 def hanging_chain(n: int, length: float = 2.0) -> fx.System:
-    """A chain of 1.5 kg/m that hangs from one end, of n rigid bars."""
+    """Build a chain of 1.5 kg/m that hangs from one end, of n rigid bars."""
     m = fx.Model(gravity=(0, -G))
     chain = m.chain("chain", [(0, 0), (0, -length)], n, mass_per_length=1.5)
     m.fix(chain.points[0])
@@ -42,7 +42,7 @@ def hanging_chain(n: int, length: float = 2.0) -> fx.System:
 
 
 def loaded_rope(n: int, length: float, payload: float) -> fx.System:
-    """A rope of 1.5 kg/m without bending stiffness, nearly inextensible, that carries a payload [kg]."""
+    """Build a rope of 1.5 kg/m without bending stiffness, nearly inextensible, that carries a payload [kg]."""
     m = fx.Model(gravity=(0, -G))
     rope = m.cable_line("rope", [(0, 0), (0, -length)], n, EA=1e8, EI=0.0, mass_per_length=1.5)
     m.fix(rope.points[0])
@@ -51,7 +51,7 @@ def loaded_rope(n: int, length: float, payload: float) -> fx.System:
 
 
 def cantilever(n: int, load: float) -> fx.System:
-    """A cable of length 1 and EI = 1, clamped at one end, with a force across it at the other; hardly extensible."""
+    """Build a cable, length 1, EI = 1, clamped at one end, with a force across the other; hardly extensible."""
     m = fx.Model()
     rope = m.cable_line("rope", [(0, 0), (1, 0)], n, EA=1e8, EI=1.0, mass_per_length=1.0)
     wall = m.angle("wall", fixed=True)
@@ -62,7 +62,7 @@ def cantilever(n: int, load: float) -> fx.System:
 
 
 def wrapped_sheave(n: int, tension: float = 50.0) -> tuple[fx.System, Rope]:
-    """A rope over a fixed sheave without friction, half a turn and two vertical parts, held at both ends."""
+    """Build a rope over a fixed sheave without friction, half a turn and two vertical parts, held at both ends."""
     m = fx.Model()
     m.point("C", (0, 0), fixed=True)
     m.angle("F", fixed=True)
@@ -78,17 +78,17 @@ def wrapped_sheave(n: int, tension: float = 50.0) -> tuple[fx.System, Rope]:
 def straight(
     n: int, L: float, *, payload: float = 0.0, EA: float, mass: float, damping: float = 0.0
 ) -> fx.Model:
-    """A cable along x, fixed at its first end, that can move along x only."""
+    """Build a cable along x, fixed at its first end, that can move along x only."""
     m = fx.Model()
     rope = m.cable_line("rope", [(0, 0), (L, 0)], n, EA=EA, EI=0.0, mass_per_length=mass, damping=damping)
-    m.fix(rope.points[0], *(f"{z.name}.y" for z in (*rope.points[1:], *rope.slopes)))
+    m.fix(rope.points[0], *(f"{node.name}.y" for node in (*rope.points[1:], *rope.slopes)))
     if payload:
         m.point_mass("payload", rope.points[-1], payload)
     return m
 
 
 def swinging(n: int) -> fx.System:
-    """A soft rope of 1 m, held at one end, that is let go at half a radian from the vertical."""
+    """Build a soft rope of 1 m, held at one end, that is let go at half a radian from the vertical."""
     m = fx.Model(gravity=(0, -G))
     end = (np.sin(0.5), -np.cos(0.5))
     rope = m.cable_line("rope", [(0, 0), end], n, EA=500.0, EI=0.05, mass_per_length=0.4)
@@ -97,7 +97,7 @@ def swinging(n: int) -> fx.System:
 
 
 def falling(n: int, E: float, L: float, A: float, I: float, rho: float, size: float = 2) -> fx.System:
-    """A rod that hangs from a pin at one end, released from the horizontal; in the plane or, with size 3, in space."""
+    """Build a rod that hangs from a pin at one end, released from the horizontal; spatial with size 3, else planar."""
     m = fx.Model(gravity=(0.0, -G, 0.0)[: int(size)])
     ends = [(0.0, 0.0, 0.0)[: int(size)], (L, 0.0, 0.0)[: int(size)]]
     rod = m.cable_line("rod", ends, n, EA=E * A, EI=E * I, mass_per_length=rho * A)
@@ -106,7 +106,7 @@ def falling(n: int, E: float, L: float, A: float, I: float, rho: float, size: fl
 
 
 def turning_wheel(m: fx.Model, inertia: float | None = None, radius: float = WHEEL - THIN) -> None:
-    """A sheave "S" of a radius at the origin on the hinge "axle" between the angles G (fixed) and F."""
+    """Add a sheave "S" of a radius at the origin on the hinge "axle" between the angles G (fixed) and F."""
     m.point("C", (0, 0), fixed=True)
     m.angle("G", fixed=True)
     m.angle("F")
@@ -117,7 +117,7 @@ def turning_wheel(m: fx.Model, inertia: float | None = None, radius: float = WHE
 
 
 def run_up(speed: float, begin: float, end: float) -> RunUp:
-    """Angle, rate and acceleration over time of a wheel whose rate grows evenly between two times."""
+    """Return angle, rate and acceleration over time of a wheel whose rate grows evenly between two times."""
     T = end - begin
 
     def share(t: float) -> float:
@@ -130,23 +130,23 @@ def run_up(speed: float, begin: float, end: float) -> RunUp:
     )
 
 
-def wrapped(angle: float, end: float, radius: float) -> Path:
-    """A straight part, an arc about the origin that starts at (-WHEEL, 0) upwards, clockwise, and a straight part."""
+def wrapped(angle: float, end: float, radius: float) -> RopePath:
+    """Return a straight part, an arc about the origin from (-WHEEL, 0) upwards, clockwise, and a straight part."""
     leave = np.pi - angle
     off = radius * np.array([np.cos(leave), np.sin(leave)])
-    return Path(
+    return RopePath(
         (
-            Part(np.array([-radius, -end]), np.pi / 2, end),
-            Part(np.zeros(2), np.pi, angle * radius, radius, -1, "S"),
-            Part(off, leave - np.pi / 2, end),
+            PathPart(np.array([-radius, -end]), np.pi / 2, end),
+            PathPart(np.zeros(2), np.pi, angle * radius, radius, -1, "S"),
+            PathPart(off, leave - np.pi / 2, end),
         )
     )
 
 
 def capstan(n: int, friction: float, angle: float) -> fx.System:
-    """A rope around a drum that turns: its first end is held, its last one pulled with 1 N; straight parts as long as
-    the drum's radius.
+    """Build a rope around a turning drum, held at its first end, pulled with 1 N at its last one.
 
+    The straight parts are as long as the drum's radius.
     Wraps beyond the first lie over one another: in the plane each touches only the drum.  The drum starts smoothly
     and slides 500 times faster than the speed that regularizes the friction.  It gives way by a hundredth of its
     radius under the largest tensions, which does not change their ratio.
@@ -186,8 +186,9 @@ def atwood(
     EA: float = 1e6,
     stiffness: float = 1e10,
 ) -> tuple[fx.System, Rope]:
-    """Atwood's machine: masses A and B at the ends of a rope over a turning sheave; 28 elements are half as long as
-    the sheave's radius.
+    """Build Atwood's machine: masses A and B at the ends of a rope over a turning sheave.
+
+    28 elements are half as long as the sheave's radius.
     """
     fall = (14 * (WHEEL - THIN) - np.pi * WHEEL) / 2
     m = fx.Model(gravity=(0, -G))
@@ -204,7 +205,7 @@ def atwood(
 
 
 def winding_hoist(n: int, speed: float) -> tuple[fx.System, RunUp]:
-    """A load of 1000 kg that is released on 10 m of unstretched rope; a drum of radius 0.2 m winds it up from 1 s on.
+    """Build a load of 1000 kg released on 10 m of unstretched rope; a drum of radius 0.2 m winds it up from 1 s on.
 
     The rope weighs and bends next to nothing, and sticks to the drum.  Its first metre, more than what is wound up in
     3 s, has n elements, the rest three.
@@ -227,7 +228,7 @@ def winding_hoist(n: int, speed: float) -> tuple[fx.System, RunUp]:
 
 
 def tackle(n: int, arm: float, load: float = 10.0) -> tuple[fx.System, Rope]:
-    """A load [kg] on two falls of rope: from a beam down to a movable sheave, up to a fixed one, down to the end P.
+    """Build a load [kg] on two falls of rope: from a beam to a movable sheave, up to a fixed one, down to the end P.
 
     P is pulled downwards by 0.2 m/s.  Both sheaves turn on journals whose radius times coefficient of friction is
     `arm`.
@@ -243,7 +244,7 @@ def tackle(n: int, arm: float, load: float = 10.0) -> tuple[fx.System, Rope]:
         m.body(f"wheel{i}", f"C{i}", f"F{i}", mass=0.1, inertia=0.1 * R**2)
         m.bearing(f"journal{i}", holder, "still", f"C{i}", f"F{i}")
         m.attach(
-            "journal", [f"journal{i}.{z}" for z in ("along", "across", "angle")], stiffness=1e6, damping=1e3,
+            "journal", [f"journal{i}.{mode}" for mode in ("along", "across", "angle")], stiffness=1e6, damping=1e3,
             friction_radius=arm, slip_speed=1e-2,
         )  # fmt: skip
         m.sheave(f"S{i}", f"C{i}", f"F{i}", radius=R - THIN)
@@ -261,7 +262,7 @@ def tackle(n: int, arm: float, load: float = 10.0) -> tuple[fx.System, Rope]:
 
 
 def sliding(n: int, length: float, ahead: float) -> tuple[fx.System, Rope]:
-    """A rope over a smooth round edge, which hangs lower by twice `ahead` at the end B than at the end A."""
+    """Build a rope over a smooth round edge, which hangs lower by twice `ahead` at the end B than at the end A."""
     m, R, a = fx.Model(gravity=(0, -G)), WHEEL, THIN
     edge, still = m.point("C", (0, 0), fixed=True), m.angle("still", fixed=True)
     m.sheave("edge", edge, still, radius=R - a)
@@ -277,7 +278,7 @@ def sliding(n: int, length: float, ahead: float) -> tuple[fx.System, Rope]:
 def bouncing(
     stiffness: float, mass: float, speed: float, height: float, dissipation: float = 0.0
 ) -> fx.System:
-    """Half a mass on each end of a weightless piece of rope, whose middle falls upon a plane.
+    """Build half a mass on each end of a weightless piece of rope, whose middle falls upon a plane.
 
     The slopes are held, so that the piece stays straight and its middle moves like its ends.
     """

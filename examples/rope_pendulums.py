@@ -14,8 +14,8 @@ import flexel as fx
 from flexel.base.arrays import Array
 from flexel.examples.rope_models import THIN, WHEEL, G
 from flexel.examples.rope_table import over_meshes
-from flexel.results.report import Quantity
-from flexel.rope.rope import Rope
+from flexel.parts.rope import Rope
+from flexel.results.reproduction import Quantity
 
 BOB = 1.0  # mass that swings [kg]
 FREE = 0.5  # length from the sheave to the bob when the rope hangs straight down [m]
@@ -56,18 +56,18 @@ TURNING = Swing(1.0, 1.5, mass=1.2, inertia=2e-3)
 
 
 def place(angle: Array | float, free: Array | float) -> Array:
-    """Places (nt, 2) [m] of the bob from the axle, with the free length [m] at an angle from the vertical."""
+    """Return positions (nt, 2) [m] of the bob from the axle, with the free length [m] at an angle from the vertical."""
     s, c = np.sin(angle), np.cos(angle)
     return np.stack([WHEEL * c + free * s, WHEEL * s - free * c], axis=-1)
 
 
 def carried(free: float) -> tuple[float, float]:
-    """First and second moment (kg m, kg m²) of the bob and the free rope about the end of the arc."""
+    """Return first and second moment (kg m, kg m²) of the bob and the free rope about the end of the arc."""
     return BOB * free + ROPE * free**2 / 2, BOB * free**2 + ROPE * free**3 / 3
 
 
 def exact(case: Swing, times: Array) -> Array:
-    """Places (nt, 2) [m] of the bob from Lagrange's equations of an inextensible rope.
+    """Return positions (nt, 2) [m] of the bob from Lagrange's equations of an inextensible rope.
 
     The free rope is l = FREE + R θ + x long, where x has passed over the sheave.  At a distance z from the sheave it
     moves by zθ' across its direction and x' along it.
@@ -91,7 +91,7 @@ def exact(case: Swing, times: Array) -> Array:
 
 
 def period(start: float) -> float:
-    """Period [s] of a bob on a rope that is held, released at an angle [rad], from its energy."""
+    """Return the period [s] of a bob on a rope that is held, released at an angle [rad], from its energy."""
 
     def energy(angle: float) -> float:
         free = FREE + WHEEL * angle
@@ -99,7 +99,7 @@ def period(start: float) -> float:
         return float(G * (BOB * place(angle, free)[1] + ROPE * rope))
 
     highest = energy(start)
-    far = float(brentq(lambda z: energy(z) - highest, -2 * start, -start / 2, xtol=1e-15))
+    far = float(brentq(lambda angle: energy(angle) - highest, -2 * start, -start / 2, xtol=1e-15))
     middle, half = (start + far) / 2, (start - far) / 2
 
     def share(phase: float) -> float:
@@ -114,7 +114,7 @@ def period(start: float) -> float:
 
 
 def swing(case: Swing, n: int) -> tuple[fx.System, Rope]:
-    """The mechanism with a light, stiff rope of n elements; the bob is "B", the other end "A"."""
+    """Build the mechanism with a light, stiff rope of n elements; the bob is "B", the other end "A"."""
     m = fx.Model(gravity=(0, -G))
     C, still = m.point("C", (0, 0), fixed=True), m.angle("still", fixed=True)
     wheel = still
@@ -138,7 +138,7 @@ def swing(case: Swing, n: int) -> tuple[fx.System, Rope]:
 
 @cache
 def motion(case: Swing, n: int) -> tuple[fx.Motion, Rope]:
-    """From rest, sampled every 0.02 s."""
+    """Simulate from rest, sampled every 0.02 s."""
     system, rope = swing(case, n)
     samples = round(case.duration / 0.02) + 1
     return system.simulate(
@@ -152,26 +152,26 @@ def motion(case: Swing, n: int) -> tuple[fx.Motion, Rope]:
 
 
 def path(case: Swing, n: int) -> Array:
-    """Places (nt, 2) [m] of the bob in that motion."""
+    """Return positions (nt, 2) [m] of the bob in that motion."""
     found = motion(case, n)[0]
     return np.stack([found["B.x"], found["B.y"]], axis=1)
 
 
 def error(case: Swing, n: int) -> float:
-    """Largest distance of the bob from the reference, over the length of the free rope."""
+    """Return the largest distance of the bob from the reference, over the length of the free rope."""
     away = path(case, n) - exact(case, motion(case, n)[0].t)
     return float(np.hypot(*away.T).max() / FREE)
 
 
 def found_period(n: int) -> float:
-    """Period [s] of the bob on a rope that is held: between its passes through the vertical in the same direction."""
+    """Return the period [s] of the bob on a held rope, from passes through the vertical in the same direction."""
     times = motion(HELD, n)[0].t
     passes = CubicSpline(times, path(HELD, n)[:, 0] - WHEEL).roots(extrapolate=False)
     return float((passes[2:] - passes[:-2]).mean())
 
 
 def rows() -> list[Quantity]:
-    """The pendulum that wraps around a sheave, and the swinging Atwood's machine."""
+    """Compare the pendulum that wraps around a sheave, and the swinging Atwood's machine."""
     lagrange = "Lagrange's equations of an inextensible rope, integrated; bob over the free length"
     return [
         over_meshes("wrapping_pendulum_error", lambda n: error(HELD, n), MESHES, 6e-4, lagrange, kind="own"),

@@ -11,8 +11,8 @@ from flexel.base.arrays import Array
 from flexel.examples import rope_exact as exact
 from flexel.examples import rope_models as models
 from flexel.examples.rope_table import over_meshes
-from flexel.results.report import Quantity
-from flexel.rope.rope import Rope
+from flexel.parts.rope import Rope
+from flexel.results.reproduction import Quantity
 
 WRAPS = (90.0, 180.0, 360.0, 540.0)  # of the capstan [degrees]
 FRICTIONS = (0.1, 0.2, 0.35, 0.5)
@@ -28,7 +28,7 @@ BALL = {"stiffness": 30769230769.23077, "mass": 0.03288200310757317, "speed": 1.
 
 @cache
 def capstan_ratio(friction: float, degrees: float, n: int) -> float:
-    """Tension at the held end over that at the pulled end, when the drum has slid for long."""
+    """Return the tension at the held end over that at the pulled end, when the drum has slid for long."""
     system = models.capstan(n, friction, np.radians(degrees))
     motion = system.simulate(
         0.4, method="generalized-alpha", samples=3, rtol=1e-2, atol=1e-2, spectral_radius=0.0, progress=False
@@ -37,12 +37,12 @@ def capstan_ratio(friction: float, degrees: float, n: int) -> float:
 
 
 def capstan_elements(degrees: float) -> int:
-    """Elements of the finest mesh for a wrap."""
+    """Return the number of elements of the finest mesh for a wrap."""
     return 12 + round(PER_TURN * degrees / 360)
 
 
 def capstan() -> list[Quantity]:
-    """All wraps and coefficients of friction on the finest mesh; the order for half a turn."""
+    """Compare all wraps and coefficients of friction on the finest mesh; the order for half a turn."""
     keys = [(mu, degrees) for mu in FRICTIONS for degrees in WRAPS]
     ratios = np.array([np.exp(mu * np.radians(degrees)) for mu, degrees in keys])
     found = np.array([capstan_ratio(mu, degrees, capstan_elements(degrees)) for mu, degrees in keys])
@@ -53,7 +53,7 @@ def capstan() -> list[Quantity]:
     more = {
         "friction": list(FRICTIONS),
         "degrees": list(WRAPS),
-        "elements": [capstan_elements(z) for z in WRAPS],
+        "elements": [capstan_elements(wrap) for wrap in WRAPS],
     }
     return [
         over_meshes("capstan_error", error, (12, 24, 48), 1e-4, "exp(mu phi) (Euler 1769), mu = 0.2, half a turn"),
@@ -67,7 +67,7 @@ def capstan() -> list[Quantity]:
 
 @cache
 def atwood_motion(n: int, mass: float, duration: float = 0.3) -> tuple[fx.Motion, Rope]:
-    """Atwood's machine from rest with a rope of a mass per length."""
+    """Simulate Atwood's machine from rest with a rope of a mass per length."""
     system, rope = models.atwood(n, mass=mass, **ATWOOD)
     return system.simulate(
         duration, method="generalized-alpha", samples=31, step=2e-3, spectral_radius=0.5, progress=False
@@ -75,7 +75,7 @@ def atwood_motion(n: int, mass: float, duration: float = 0.3) -> tuple[fx.Motion
 
 
 def atwood_error(n: int, mass: float) -> float:
-    """Largest error of the fall over the fall at the end."""
+    """Return the largest error of the fall over the fall at the end."""
     motion, rope = atwood_motion(n, mass)
     fall = motion["A.y"][0] - motion["A.y"]
     given = exact.atwood_fall(motion.t, rope=mass, length=float(rope.s[-1]), radius=models.WHEEL, **ATWOOD)
@@ -83,7 +83,7 @@ def atwood_error(n: int, mass: float) -> float:
 
 
 def atwood() -> list[Quantity]:
-    """Light and heavy rope."""
+    """Compare light and heavy rope."""
     meshes = (14, 28, 56)
     return [
         over_meshes("atwood_error", lambda n: atwood_error(n, 1.0), meshes, 2.4e-4,
@@ -98,7 +98,7 @@ def atwood() -> list[Quantity]:
 
 @cache
 def impact(steps: int, dissipation: float = 0.0) -> tuple[Array, Array, Array]:
-    """Times, heights and speeds of the ball with a number of steps in the duration of the contact."""
+    """Return times, heights and speeds of the ball with a number of steps in the duration of the contact."""
     h = exact.hertz(**BALL)[1] / steps
     count = round(1.25 * steps)
     system = models.bouncing(height=1e-6, dissipation=dissipation, **BALL)
@@ -109,7 +109,7 @@ def impact(steps: int, dissipation: float = 0.0) -> tuple[Array, Array, Array]:
 
 
 def impact_errors(steps: int) -> tuple[float, float]:
-    """Relative errors of the largest approach and of the duration.
+    """Return the relative errors of the largest approach and of the duration.
 
     The lowest point is that of a parabola through three heights; the ends of the contact are where the height passes
     zero, with the speed there.
@@ -124,7 +124,7 @@ def impact_errors(steps: int) -> tuple[float, float]:
 
 
 def hertz() -> list[Quantity]:
-    """Approach and duration; speed after an impact with dissipation."""
+    """Compare approach and duration; speed after an impact with dissipation."""
     rows = [
         over_meshes("hertz_error", lambda k: impact_errors(k)[0], STEPS, 6e-5, f"approach, {HERTZ}", 1),
         over_meshes("hertz_duration_error", lambda k: impact_errors(k)[1], STEPS, 6e-5, f"duration, {HERTZ}", 1),
@@ -137,11 +137,11 @@ def hertz() -> list[Quantity]:
 
 
 def _dissipation(e: float) -> float:
-    """Of Lankarani and Nikravesh's law, for a coefficient of restitution at the ball's speed."""
+    """Return the dissipation of Lankarani and Nikravesh's law, for a coefficient of restitution at the ball's speed."""
     contact = fx.Contact.restitution(BALL["stiffness"], e, BALL["speed"], law="lankarani-nikravesh")
     return contact.dissipation
 
 
 def rows() -> list[Quantity]:
-    """Capstan, Atwood's machine, Hertz's impact."""
+    """Compare capstan, Atwood's machine, Hertz's impact."""
     return [*capstan(), *atwood(), *hertz()]

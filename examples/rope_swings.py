@@ -12,7 +12,7 @@ from flexel.examples import rope_data as data
 from flexel.examples import rope_models as models
 from flexel.examples.convergence import order
 from flexel.examples.rope_table import over_meshes
-from flexel.results.report import Quantity
+from flexel.results.reproduction import Quantity
 
 SOFT = 0.7e6  # E of the literature [N/m²]
 SOFT_MESHES = (16, 32, 64)
@@ -22,7 +22,7 @@ SOFT_SOURCE = "E = 0.7e6 (Berzeri and Shabana 2000), against half the elements"
 
 @cache
 def pendulum(E: float, n: int, step: float = 1e-3) -> fx.Motion:
-    """The pendulum of n elements that falls from the horizontal for 1 s, sampled every 0.05 s."""
+    """Simulate the pendulum of n elements that falls from the horizontal for 1 s, sampled every 0.05 s."""
     system = models.falling(n, E, **data.PENDULUM)
     return system.simulate(
         1.0, method="generalized-alpha", samples=21, step=step, spectral_radius=0.9, progress=False
@@ -30,25 +30,25 @@ def pendulum(E: float, n: int, step: float = 1e-3) -> fx.Motion:
 
 
 def tip(E: float, n: int, step: float = 1e-3) -> Array:
-    """History (21, 2) [m] of the pendulum's tip."""
+    """Return the history (21, 2) [m] of the pendulum's tip."""
     motion = pendulum(E, n, step)
     return np.stack([motion[f"rod_p{n}.x"], motion[f"rod_p{n}.y"]], axis=1)
 
 
 def pendulum_error(n: int, E: float = 0.7e9) -> float:
-    """Largest distance of the tip from the reference, over the pendulum's length."""
+    """Return the largest distance of the tip from the reference, over the pendulum's length."""
     away = tip(E, n, 8e-3 / n) - data.TIPS[E]
     return float(np.hypot(*away.T).max() / data.PENDULUM["L"])
 
 
 def soft_change(n: int) -> float:
-    """Largest change of the tip from n/2 to n elements, over the length, with the modulus of the literature."""
+    """Return the largest change of the tip from n/2 to n elements, over the length, with the literature's modulus."""
     away = tip(SOFT, n) - tip(SOFT, n // 2)
     return float(np.hypot(*away.T).max() / data.PENDULUM["L"])
 
 
 def rubber_tip(n: int = 56) -> Array:
-    """Place (2,) [m] of the tip after 1 s, of a rod in space with the modulus of the literature, in steps of 1 ms."""
+    """Return the tip (2,) [m] after 1 s, of a rod in space with the modulus of the literature, in steps of 1 ms."""
     system = models.falling(n, SOFT, size=3, **data.PENDULUM)
     motion = system.simulate(
         1.0, method="generalized-alpha", samples=2, step=1e-3, spectral_radius=0.9, progress=False
@@ -57,7 +57,7 @@ def rubber_tip(n: int = 56) -> Array:
 
 
 def swing_error(count: int, h: float = 5e-4) -> float:
-    """Largest energy that does not add up over the largest kinetic energy, of a rope that falls and swings freely."""
+    """Return the largest error of the energy over the largest kinetic energy, of a rope that falls and swings."""
     motion = models.swinging(2).simulate(
         count * h, method="generalized-alpha", samples=101, step=h, spectral_radius=1.0, progress=False
     )
@@ -66,7 +66,7 @@ def swing_error(count: int, h: float = 5e-4) -> float:
 
 
 def rows() -> list[Quantity]:
-    """Falling flexible pendulum and energy."""
+    """Compare falling flexible pendulum and energy."""
     changes = [soft_change(n) for n in SOFT_MESHES[1:]]
     more = {
         "elements": SOFT_MESHES[-1],

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from flexel.examples.convergence import order
-from flexel.results.report import Kind, Quantity
+from flexel.results.reproduction import Kind, Quantity
 
 
 def over_meshes(
@@ -17,7 +17,7 @@ def over_meshes(
     stepped: int = 0,
     kind: Kind = "closed form",
 ) -> Quantity:
-    """The row of a relative error on the finest of some meshes that double, with the observed order.
+    """Return the row of a relative error on the finest of some meshes that double, with the observed order.
 
     Where the meshes count steps, `stepped` is the number of elements that are integrated with them.
     """

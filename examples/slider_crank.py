@@ -15,22 +15,33 @@ from functools import cache
 from pathlib import Path
 
 import numpy as np
+from scipy.optimize import minimize_scalar
 
 import flexel as fx
 from flexel.base.arrays import Array
 from flexel.examples import slider_crank_data as data
 from flexel.linear import periodic
-from flexel.results.report import Report
-from flexel.structure.nodes import Node
+from flexel.model.node import Node
+from flexel.results.reproduction import Report
 
 CONVERGED = 4  # elements with second-order terms: the periodic deflection changes by 0.02 % with 8
 HARMONICS = 16
 SAMPLES = 4 * HARMONICS + 4
 DAMPING = (0.01, 0.02)
-SPEEDS = np.linspace(50.0, 330.0, 200)  # of the linearized sweep [rad/s]
+SPEEDS = np.linspace(50.0, 330.0, 200)  # of the linearized sweep whose time is taken [rad/s]
+PEAKS = (133.0, 144.0), (158.0, 172.0), (199.0, 211.0), (260.0, 280.0)
+SHOWN_SPEEDS = np.unique(  # of the linearized sweeps: closer near their maxima
+    np.concatenate([np.linspace(50.0, 330.0, 113), *(np.arange(*ends, 0.5) for ends in PEAKS)])
+)
 MORE_SPEEDS = (
     110.0,
+    131.0,
+    134.0,
+    136.0,
     138.0,
+    139.0,
+    140.0,
+    142.0,
     145.0,
     195.0,
     203.5,
@@ -46,6 +57,8 @@ MORE_SPEEDS = (
 )
 NONLINEAR_SPEEDS = tuple(sorted({row[0] for row in data.SWEEP} | set(MORE_SPEEDS)))  # followed upwards
 SECONDS = 0.1
+SPEED_TOLERANCE = 1e-4  # of the speed of a maximum [rad/s]
+TIMES = np.linspace(0.0, SECONDS, 2001)  # of the transients [s]
 p = data.DATA
 
 
@@ -53,16 +66,16 @@ p = data.DATA
 
 
 def bends(elements: int, spatial: bool = False) -> list[str]:
-    """Names of the bending deformations in the plane of motion."""
+    """Return the names of the bending deformations in the plane of motion."""
     return [f"rod{i}.bend{j}" for i in range(1, elements + 1) for j in ((3, 4) if spatial else (1, 2))]
 
 
 def slider_crank(
     speed: float, elements: int = 2, zeta: float = 0.02, second_order: bool = True, spatial: bool = False
 ) -> fx.System:
-    """The mechanism with its crank at angle speed·t, Kelvin–Voigt damping 2 zeta/ω₀ of the model's own ω₀."""
-    m, z = fx.Model(), (0.0,) if spatial else ()
-    O, A = m.point("O", (0, 0, *z), fixed=True), m.point("A", (p["r"], 0, *z))
+    """Build the mechanism with its crank at angle speed·t, Kelvin–Voigt damping 2 zeta/ω₀ of the model's ω₀."""
+    m, height = fx.Model(), (0.0,) if spatial else ()
+    O, A = m.point("O", (0, 0, *height), fixed=True), m.point("A", (p["r"], 0, *height))
     orient: Callable[..., Node] = m.frame if spatial else m.angle
     axis = {"axis": (0, 0, 1)} if spatial else {}
     ground, crank, first = orient("ground", fixed=True), orient("crank arm"), orient("r0")
@@ -79,11 +92,11 @@ def slider_crank(
 
 
 def _rod(m: fx.Model, elements: int, damping: float, second_order: bool, spatial: bool) -> None:
-    """Beams from node A with orientation r0 to p1, p2, … along x, flexible in bending about z alone."""
-    last, orientation, z = "A", "r0", (0.0,) if spatial else ()
+    """Add beams from node A with orientation r0 to p1, p2, … along x, flexible in bending about z alone."""
+    last, orientation, height = "A", "r0", (0.0,) if spatial else ()
     for i in range(1, elements + 1):
         point, angle = f"p{i}", f"r{i}"
-        m.point(point, (p["r"] + p["l"] * i / elements, 0, *z))
+        m.point(point, (p["r"] + p["l"] * i / elements, 0, *height))
         (m.frame if spatial else m.angle)(angle)
         m.beam(
             f"rod{i}", last, orientation, point, angle,
@@ -95,7 +108,7 @@ def _rod(m: fx.Model, elements: int, damping: float, second_order: bool, spatial
 
 @cache
 def omega0(elements: int, second_order: bool = True) -> float:
-    """First natural frequency of the pinned rod alone [rad/s]."""
+    """Return the first natural frequency of the pinned rod alone [rad/s]."""
     m = fx.Model()
     m.point("A", (p["r"], 0), fixed=True)
     m.angle("r0")
@@ -108,21 +121,21 @@ def omega0(elements: int, second_order: bool = True) -> float:
 
 
 def chord(A: Array, B: Array) -> Array:
-    """Unit vectors (ns, 2) of the plane from the crank pin to the slider."""
+    """Return unit vectors (ns, 2) of the plane from the crank pin to the slider."""
     e = (B - A)[:, :2]
     return np.asarray(e / np.linalg.norm(e, axis=1)[:, None])
 
 
 def deflection(motion: fx.Motion | periodic.Orbit, elements: int = CONVERGED) -> Array:
-    """Deflection of the midpoint over the rod's length (ns,), exact in large displacements."""
+    """Return the deflection of the midpoint over the rod's length (ns,), exact in large displacements."""
     place = motion.coordinates if isinstance(motion, periodic.Orbit) else motion.position
-    A, B, mid = (place(z) for z in ("A", f"p{elements}", f"p{elements // 2}"))
+    A, B, mid = (place(name) for name in ("A", f"p{elements}", f"p{elements // 2}"))
     e, r = chord(A, B), (mid - A)[:, :2]
     return np.asarray((e[:, 0] * r[:, 1] - e[:, 1] * r[:, 0]) / p["l"])
 
 
 def small_deflection(nominal: periodic.Orbit, elements: int) -> Array:
-    """Derivatives (ns, nd) of the same with respect to the degrees of freedom, about the nominal motion."""
+    """Return its derivatives (ns, nd) by the degrees of freedom, about the nominal motion."""
     end, middle = f"p{elements}", f"p{elements // 2}"
     e = chord(nominal.coordinates("A"), nominal.coordinates(end))
     d = nominal.sensitivity(middle) - nominal.sensitivity(end) / 2
@@ -130,12 +143,12 @@ def small_deflection(nominal: periodic.Orbit, elements: int) -> Array:
 
 
 def largest(series: Array) -> float:
-    """Largest magnitude over the continuous period."""
+    """Return the largest magnitude over the continuous period."""
     return float(np.abs(periodic.refined(series)).max())
 
 
 def amplitudes(series: Array, count: int = 6) -> Array:
-    """Amplitudes (count + 1,) of the harmonics."""
+    """Return the amplitudes (count + 1,) of the harmonics."""
     return np.asarray(np.hypot(*periodic.cosine_sine(series, count).T))
 
 
@@ -143,34 +156,33 @@ def amplitudes(series: Array, count: int = 6) -> Array:
 
 
 def nominal_orbit(speed: float, elements: int = 2, zeta: float = 0.02, **options: bool) -> periodic.Orbit:
-    """The rigid-body motion over one turn of the crank, linearized along it."""
+    """Return the rigid-body motion over one turn of the crank, linearized along it."""
     return periodic.orbit(slider_crank(speed, elements, zeta, **options), 2 * np.pi / speed, SAMPLES)
 
 
 def linearized(speed: float, elements: int = 2, zeta: float = 0.02, **options: bool) -> Array:
-    """Midpoint deflection (ns,) over one turn by harmonic balance of the linearized equations."""
+    """Return the midpoint deflection (ns,) over a turn by harmonic balance of the linearized equations."""
     nominal = nominal_orbit(speed, elements, zeta, **options)
     vibration = nominal.coefficients.harmonic_balance(HARMONICS)
     return np.asarray((small_deflection(nominal, elements) * vibration.samples()[0]).sum(axis=1))
 
 
 def nonlinear(speed: float, elements: int = 2, zeta: float = 0.02, **options: bool) -> Array:
-    """Midpoint deflection (ns,) over one turn of the full nonlinear periodic motion."""
+    """Return the midpoint deflection (ns,) over a turn of the full nonlinear periodic motion."""
     system = slider_crank(speed, elements, zeta, **options)
     return deflection(periodic.periodic_motion(system, 2 * np.pi / speed, HARMONICS)[0], elements)
 
 
-def transient(zeta: float, elements: int = CONVERGED) -> fx.Motion:
-    """Motion from the straight rod at 150 rad/s, with the velocities of a rigid rod."""
-    times = np.linspace(0.0, SECONDS, 2001)
-    system = slider_crank(data.SPEED, elements, zeta)
-    return system.simulate(SECONDS, times=times, method="LSODA", rtol=1e-6, atol=1e-9, progress=False)
+def transient(zeta: float, elements: int = CONVERGED, second_order: bool = True) -> fx.Motion:
+    """Simulate from the straight rod at 150 rad/s, with the velocities of a rigid rod."""
+    system = slider_crank(data.SPEED, elements, zeta, second_order)
+    return system.simulate(SECONDS, times=TIMES, method="LSODA", rtol=1e-6, atol=1e-9, progress=False)
 
 
 def family(
     elements: int, zeta: float, second_order: bool = True
 ) -> tuple[periodic.Orbit, periodic.SpeedFamily]:
-    """A nominal orbit, and the linearized equations at every speed."""
+    """Return a nominal orbit, and the linearized equations at every speed."""
     orbits = [
         nominal_orbit(speed, elements, zeta, second_order=second_order) for speed in (100.0, 200.0, 300.0)
     ]
@@ -192,9 +204,11 @@ class Sweep:
     message: str
 
 
-def linear_sweep(zeta: float, elements: int = 2, speeds: Array = SPEEDS, harmonics: int = 12) -> Sweep:
-    """Linearized: harmonic balance at every speed, with the quasi-static solution beside it."""
-    nominal, equations = family(elements, zeta)
+def linear_sweep(
+    zeta: float, elements: int = 2, speeds: Array = SPEEDS, harmonics: int = 12, second_order: bool = True
+) -> Sweep:
+    """Solve the linearized equations: harmonic balance at every speed, with the quasi-static solution."""
+    nominal, equations = family(elements, zeta, second_order)
     midpoint = small_deflection(nominal, elements)
 
     def at(speed: float) -> tuple[Array, Array, float]:
@@ -204,73 +218,116 @@ def linear_sweep(zeta: float, elements: int = 2, speeds: Array = SPEEDS, harmoni
         return (midpoint * q).sum(axis=1), (midpoint * c.quasi_static()).sum(axis=1), found.error
 
     found = periodic.speed_range(at, speeds)
-    series = [z[0] for z in found.results]
+    series = [result[0] for result in found.results]
     return Sweep(
         found.speeds,
-        np.array([largest(z) for z in series]),
-        np.array([amplitudes(z) for z in series]),
-        np.array([amplitudes(z[1]) for z in found.results]),
-        max(z[2] for z in found.results),
+        np.array([largest(motion) for motion in series]),
+        np.array([amplitudes(motion) for motion in series]),
+        np.array([amplitudes(result[1]) for result in found.results]),
+        max(result[2] for result in found.results),
         found.message,
     )
 
 
+def located_maxima(
+    speeds: Array, deflections: Array, at: Callable[[int, float], float], tolerance: float
+) -> Array:
+    """Locate the maxima of a curve between its points: rows (n, 2) of speed and largest deflection.
+
+    Parameters
+    ----------
+    speeds, deflections : ndarray (n,)
+        Points of the curve.
+    at : callable
+        The deflection at a speed near the point of a number.
+    tolerance : float
+        Of the speed [rad/s].
+    """
+    rows = []
+    for i in (
+        np.flatnonzero((deflections[1:-1] > deflections[:-2]) & (deflections[1:-1] >= deflections[2:])) + 1
+    ):
+
+        def negative(speed: float, i: int = int(i)) -> float:
+            return -at(i, speed)
+
+        bounds = min(speeds[i - 1], speeds[i + 1]), max(speeds[i - 1], speeds[i + 1])
+        found = minimize_scalar(negative, bounds=bounds, method="bounded", options={"xatol": tolerance})
+        rows.append((found.x, -found.fun))
+    return np.array(rows)
+
+
+def linear_maxima(zeta: float, swept: Sweep, elements: int, second_order: bool = True) -> Array:
+    """Locate the maxima of a linearized sweep between its speeds: rows (n, 2) of speed and largest deflection."""
+    nominal, equations = family(elements, zeta, second_order)
+    midpoint = small_deflection(nominal, elements)
+
+    def at(_: int, speed: float) -> float:
+        vibration = equations.at(speed).harmonic_balance(HARMONICS)
+        return largest((midpoint * vibration.samples()[0]).sum(axis=1))
+
+    return located_maxima(swept.speeds, swept.largest, at, SPEED_TOLERANCE)
+
+
 def nonlinear_sweep(
-    zeta: float, elements: int = CONVERGED, speeds: tuple[float, ...] = NONLINEAR_SPEEDS
+    zeta: float,
+    elements: int = CONVERGED,
+    speeds: tuple[float, ...] = NONLINEAR_SPEEDS,
+    second_order: bool = True,
 ) -> Sweep:
-    """Nonlinear periodic motions from speed to speed."""
+    """Find nonlinear periodic motions from speed to speed."""
 
     def measure(motion: periodic.Orbit, vibration: periodic.PeriodicVibration) -> tuple[Array, float]:
         return deflection(motion, elements), vibration.error
 
-    system = lambda speed: slider_crank(speed, elements, zeta)  # noqa: E731
+    system = lambda speed: slider_crank(speed, elements, zeta, second_order)  # noqa: E731
     found = periodic.nonlinear_range(system, speeds, HARMONICS, measure)
     return Sweep(
         found.speeds,
-        np.array([largest(z) for z, _ in found.results]),
-        np.array([amplitudes(z) for z, _ in found.results]),
+        np.array([largest(series) for series, _ in found.results]),
+        np.array([amplitudes(series) for series, _ in found.results]),
         np.zeros((0, 0)),
-        max(z[1] for z in found.results),
+        max(result[1] for result in found.results),
         found.message,
     )
 
 
 @dataclass(frozen=True)
-class Results:
-    """Everything that is computed, for the table and for the pictures."""
+class SliderCrankResults:
+    """All computed results, for the table and for the figures."""
 
     transients: dict[float, fx.Motion]
-    periodic: dict[float, Array]  # nonlinear, two elements without second-order terms
-    linearized: Array  # the same, 2 %, linearized
     converged: dict[float, Array]
-    converged_linearized: Array
+    converged_linearized: dict[float, Array]
     second_order: Array  # two elements, 2 %
     spatial: Array  # the same in space
     swept: dict[float, Sweep]
-    swept_linearized: dict[float, Sweep]
+    swept_linearized: dict[float, Sweep]  # converged
+    maxima: dict[float, Array]  # of these sweeps
     rows_linearized: dict[float, Array]  # largest deflections of the converged model at the nonlinear speeds
     seconds: float
 
 
-def analyse() -> Results:
+def analyse() -> SliderCrankResults:
     """Run all analyses."""
-    first = {"second_order": False}
     omega0(2)
     started = time.perf_counter()
-    two = linear_sweep(0.02)
+    linear_sweep(0.02)
     seconds = time.perf_counter() - started
     speeds = np.array(NONLINEAR_SPEEDS)
-    return Results(
-        transients={z: transient(z) for z in DAMPING},
-        periodic={z: nonlinear(data.SPEED, 2, z, **first) for z in DAMPING},
-        linearized=linearized(data.SPEED, 2, 0.02, **first),
-        converged={z: nonlinear(data.SPEED, CONVERGED, z) for z in DAMPING},
-        converged_linearized=linearized(data.SPEED, CONVERGED, 0.02),
+    swept = {ratio: linear_sweep(ratio, CONVERGED, SHOWN_SPEEDS) for ratio in DAMPING}
+    return SliderCrankResults(
+        transients={ratio: transient(ratio) for ratio in DAMPING},
+        converged={ratio: nonlinear(data.SPEED, CONVERGED, ratio) for ratio in DAMPING},
+        converged_linearized={ratio: linearized(data.SPEED, CONVERGED, ratio) for ratio in DAMPING},
         second_order=nonlinear(data.SPEED),
         spatial=nonlinear(data.SPEED, spatial=True),
-        swept={z: nonlinear_sweep(z) for z in DAMPING},
-        swept_linearized={0.02: two, 0.01: linear_sweep(0.01)},
-        rows_linearized={z: linear_sweep(z, CONVERGED, speeds, HARMONICS).largest for z in DAMPING},
+        swept={ratio: nonlinear_sweep(ratio) for ratio in DAMPING},
+        swept_linearized=swept,
+        maxima={ratio: linear_maxima(ratio, swept[ratio], CONVERGED) for ratio in DAMPING},
+        rows_linearized={
+            ratio: linear_sweep(ratio, CONVERGED, speeds, HARMONICS).largest for ratio in DAMPING
+        },
         seconds=seconds,
     )
 
@@ -279,14 +336,17 @@ def analyse() -> Results:
 
 
 def reproduce(out: Path | None = None) -> Report:
-    """All quantities beside their reference values; figures in `out`, if given."""
+    """Compute all quantities with their reference values; write figures to `out`, if given."""
     from flexel.examples.slider_crank_branch import analyse_branches
-    from flexel.examples.slider_crank_table import branches, single, sweeps
+    from flexel.examples.slider_crank_table import branches, single, sweeps, talk
+    from flexel.examples.slider_crank_talk import analyse_talk
 
     results, followed = analyse(), analyse_branches()
+    slides = {zeta: analyse_talk(zeta) for zeta in DAMPING}
     files: list[Path] = []
     if out is not None:
         from flexel.examples.slider_crank_figures import pictures
 
-        files = pictures(results, followed, out)
-    return Report("slider-crank", [*single(results), *sweeps(results), *branches(followed)], files)
+        files = pictures(results, followed, slides, out)
+    rows = [*single(results), *talk(results, slides), *sweeps(results), *branches(followed)]
+    return Report("slider-crank", rows, files)

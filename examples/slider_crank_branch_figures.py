@@ -1,4 +1,4 @@
-"""Pictures of the slider-crank's excitation, of its nonlinear motions past the fold, and of their stability."""
+"""Figures of the slider-crank's excitation, of its nonlinear motions past the fold, and of their stability."""
 
 from __future__ import annotations
 
@@ -8,17 +8,17 @@ from typing import Any
 import numpy as np
 
 import flexel as fx
+from flexel.apps.view.figures import COLOURS, figure, save
 from flexel.base.arrays import Array
 from flexel.examples import slider_crank_data as data
 from flexel.examples.slider_crank import CONVERGED, omega0
-from flexel.examples.slider_crank_branch import BOTH, Branches, peaks
-from flexel.pictures.figures import COLOURS, figure, save
+from flexel.examples.slider_crank_branch import BOTH, SweptBranches, peaks
 
 NEAR = 245.0, 285.0  # speeds shown about the folds [rad/s]
 
 
 def resonances(panel: Any, top: float, orders: tuple[int, ...] = (6, 5, 4, 3)) -> None:
-    """Marks at fractions of the first natural frequency."""
+    """Mark fractions of the first natural frequency."""
     w = omega0(CONVERGED)
     for n in orders:
         panel.axvline(w / n, color="#999999", lw=0.8, ls="--")
@@ -27,8 +27,8 @@ def resonances(panel: Any, top: float, orders: tuple[int, ...] = (6, 5, 4, 3)) -
         )
 
 
-def excitations(found: Branches, path: Path) -> None:
-    """What excites each harmonic of the first mode: directly, by varying stiffness, and together."""
+def excitations(found: SweptBranches, path: Path) -> None:
+    """Plot the excitation of each harmonic of the first mode: directly, by varying stiffness, and together."""
     titles = f"{CONVERGED} elements", "2 elements without second-order terms"
     with figure(1, 2, size=(9.0, 4.6), sharey=True) as (drawn, axes):
         for panel, rows, title in zip(axes, (found.excited, found.excited_first_order), titles, strict=True):
@@ -44,7 +44,7 @@ def excitations(found: Branches, path: Path) -> None:
 
 
 def _curve(panel: Any, branch: fx.PeriodicBranch, values: Array, colour: str, label: str) -> None:
-    """Values over the speed, dashed where unstable, with the folds."""
+    """Plot values over the speed, dashed where unstable, with the folds."""
     w = branch.omega
     for i, (part, stable) in enumerate(branch.stretches):
         panel.plot(
@@ -53,8 +53,8 @@ def _curve(panel: Any, branch: fx.PeriodicBranch, values: Array, colour: str, la
     panel.plot(w[branch.folds], values[branch.folds], "o", ms=5, color=colour)
 
 
-def folds(found: Branches, path: Path) -> None:
-    """Largest deflection over the speed through the folds, with the reference and one speed of two stable motions."""
+def folds(found: SweptBranches, path: Path) -> None:
+    """Plot the largest deflection over the speed through the folds, with the reference and two stable motions."""
     reference = np.array(data.SWEEP)
     with figure(2, size=(8.0, 8.0), sharey=True) as (drawn, axes):
         for panel in axes:
@@ -81,8 +81,8 @@ def folds(found: Branches, path: Path) -> None:
         save(drawn, path)
 
 
-def floquet(found: Branches, path: Path) -> None:
-    """Moduli of the largest Floquet multipliers along the branches."""
+def floquet(found: SweptBranches, path: Path) -> None:
+    """Plot moduli of the largest Floquet multipliers along the branches."""
     with figure(size=(9.0, 4.8)) as (drawn, axes):
         for j, (zeta, branch) in enumerate(found.followed.items()):
             _curve(axes, branch, branch.modulus, COLOURS[j], f"damping {100 * zeta:g} %")

@@ -1,4 +1,4 @@
-"""The table of the slider-crank: every quantity beside its reference, with what explains their difference."""
+"""The table of the slider-crank: every quantity with its reference, and the reason for their difference."""
 
 from __future__ import annotations
 
@@ -6,14 +6,22 @@ import numpy as np
 
 from flexel.examples import slider_crank_data as data
 from flexel.examples.reasons import ITERATION, STEPS
-from flexel.examples.slider_crank import CONVERGED, Results, amplitudes, deflection, largest, omega0
-from flexel.examples.slider_crank_branch import Branches, peaks
+from flexel.examples.slider_crank import (
+    CONVERGED,
+    SliderCrankResults,
+    amplitudes,
+    deflection,
+    largest,
+    omega0,
+)
+from flexel.examples.slider_crank_branch import SweptBranches, peaks
+from flexel.examples.slider_crank_talk import ELEMENTS, TalkResults, simulated
 from flexel.linear import periodic
-from flexel.results.report import Quantity
+from flexel.results.reproduction import Quantity
 
 
-def single(results: Results) -> list[Quantity]:
-    """Frequencies of the rod, transients and periodic motions at 150 rad/s."""
+def single(results: SliderCrankResults) -> list[Quantity]:
+    """Compare frequencies of the rod, transients and periodic motions at 150 rad/s."""
     steady = data.SWEEP[[row[0] for row in data.SWEEP].index(data.SPEED)]
     series = results.converged[0.02]
     two, converged = {"elements": 2}, {"elements": CONVERGED}
@@ -24,24 +32,21 @@ def single(results: Results) -> list[Quantity]:
         Quantity("omega0_exact", omega0(32), data.OMEGA0_EXACT, 1.5e-7, "rad/s", data.EXACT, {"elements": 32},
                  kind="closed form"),
         *(
-            Quantity(f"transient_max_{round(100 * z)}pct", float(np.abs(deflection(m, CONVERGED)).max()),
-                     data.TRANSIENT_MAX[z], 1.5e-4 if z == 0.01 else 5e-5, "", data.TRANSIENT, converged,
+            Quantity(f"transient_max_{round(100 * ratio)}pct", float(np.abs(deflection(m, CONVERGED)).max()),
+                     data.TRANSIENT_MAX[ratio], 1.5e-4 if ratio == 0.01 else 5e-5, "", data.TRANSIENT, converged,
                      kind="own", reason=STEPS)
-            for z, m in results.transients.items()
-        ),
-        *(
-            Quantity(f"periodic_{round(100 * z)}pct_2el", largest(results.periodic[z]),
-                     data.TWO_ELEMENTS[z], 4e-4, "", data.TWO_ELEMENTS_SOURCE, two, kind="own")
-            for z in (0.02, 0.01)
+            for ratio, m in results.transients.items()
         ),
         Quantity("periodic_2pct_converged", largest(series), steady[2], 0.002, "", data.MODES, converged,
                  kind="own"),
         Quantity("periodic_1pct_converged", largest(results.converged[0.01]), steady[1],
                  0.002, "", data.MODES, converged, kind="own"),
-        Quantity("periodic_2pct_2el_linearized", largest(results.linearized), source=data.NOMINAL, more=two),
         Quantity("periodic_2pct_2el_second_order", largest(results.second_order), steady[2], 0.005, "",
                  "converged value; with second-order terms two elements suffice", two, kind="own"),
-        Quantity("periodic_2pct_converged_linearized", largest(results.converged_linearized), more=converged),
+        *(
+            Quantity(f"periodic_{round(100 * ratio)}pct_converged_linearized", largest(linear), more=converged)
+            for ratio, linear in results.converged_linearized.items()
+        ),
         Quantity("harmonics_2pct", periodic.cosine_sine(series, 6), source=data.PAIRS, more=converged),
         Quantity("harmonics_2pct_amplitudes", amplitudes(series), data.HARMONICS, 0.012, "", data.MODES, converged,
                  kind="own"),
@@ -50,22 +55,56 @@ def single(results: Results) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def sweeps(results: Results) -> list[Quantity]:
-    """Largest deflections over the speeds, and stability."""
+def talk(results: SliderCrankResults, slides: dict[float, TalkResults]) -> list[Quantity]:
+    """Compare the talk's model, slides 23 to 30: transient, periodic and swept, linearized and full."""
+    two, rows = {"elements": ELEMENTS}, []
+    for zeta, found in slides.items():
+        pct = f"{round(100 * zeta)}pct"
+        tops, full = found.maxima, found.full_maxima
+        gap = np.abs(found.linear_transient - found.transient).max()
+        rows += [
+            Quantity(f"talk_transient_{pct}", [np.abs(y).max() for y in (found.linear_transient, found.transient)],
+                     source=data.BOTH, more=two),
+            Quantity(f"talk_transient_difference_{pct}", gap, source=data.GAP, more=two),
+            Quantity(f"periodic_{pct}_2el", largest(found.periodic), data.TWO_ELEMENTS[zeta], 4e-4, "",
+                     data.TWO_ELEMENTS_SOURCE, two, kind="own"),
+            Quantity(f"periodic_{pct}_2el_linearized", largest(found.linear_periodic), found.linear_periodic_in_time,
+                     1.3e-9, "", data.IN_TIME, two, kind="own"),
+            Quantity(f"talk_resonances_{pct}", omega0(ELEMENTS, False) / tops[-3:, 0], data.TALK_RESONANCES, 0.03, "",
+                     data.RESONANCES, two, kind="published"),
+            Quantity(f"talk_resonances_{pct}_full", omega0(ELEMENTS, False) / full[-3:, 0], data.TALK_RESONANCES,
+                     0.06 if zeta == 0.01 else 0.04, "", data.RESONANCES_FULL, two, kind="published"),
+            Quantity(f"talk_maxima_{pct}", tops, source=data.MAXIMA, more=two),
+            Quantity(f"talk_maxima_deflections_{pct}", tops[:, 1], found.maxima_in_time,
+                     1e-8 if zeta == 0.01 else 1.7e-9, "", data.IN_TIME, two, kind="own"),
+            Quantity(f"talk_maxima_{pct}_full", full, source=data.MAXIMA_FULL, more=two),
+            Quantity(f"talk_fold_speeds_{pct}", found.fast.omega[found.fast.folds], unit="rad/s", source=data.FOLDS,
+                     more=two),
+            Quantity(f"converged_maxima_{pct}", results.maxima[zeta], source=data.MAXIMA, more={"elements": CONVERGED}),
+        ]  # fmt: skip
+    return [
+        *rows,
+        Quantity("talk_full_minus_simulation_1pct", simulated(slides[0.01], 0.01), 0.0, 5e-7, "", data.FIVE_TURNS, two,
+                 kind="own"),
+    ]  # fmt: skip
+
+
+def sweeps(results: SliderCrankResults) -> list[Quantity]:
+    """Compare the largest deflections over the speeds, and stability."""
     rows = []
-    for z, column in ((0.02, 2), (0.01, 1)):
-        found, name = results.swept[z], f"{round(100 * z)}pct"
+    for ratio, column in ((0.02, 2), (0.01, 1)):
+        found, name = results.swept[ratio], f"{round(100 * ratio)}pct"
         reference = {row[0]: row[column] for row in data.SWEEP}
         at = [i for i, speed in enumerate(found.speeds) if speed in reference]
         expected = [reference[found.speeds[i]] for i in at]
         more = {"elements": CONVERGED, "speeds": found.speeds[at].tolist()}
         table = np.column_stack(
-            [found.speeds, results.rows_linearized[z][: found.speeds.size], found.largest]
+            [found.speeds, results.rows_linearized[ratio][: found.speeds.size], found.largest]
         )
-        about = f"rows of speed [rad/s], linearized, nonlinear; {100 * z:g} % damping"
+        about = f"rows of speed [rad/s], linearized, nonlinear; {100 * ratio:g} % damping"
         rows += [
             Quantity(
-                "sweep" if z == 0.02 else "sweep_1pct", table, source=about, more={"elements": CONVERGED}
+                "sweep" if ratio == 0.02 else "sweep_1pct", table, source=about, more={"elements": CONVERGED}
             ),
             Quantity(
                 f"sweep_nonlinear_{name}",
@@ -78,8 +117,8 @@ def sweeps(results: Results) -> list[Quantity]:
                 kind="own",
             ),
         ]
-    neglected = max(z.neglected for z in results.swept.values())
-    stops = "; ".join(z.message for z in results.swept.values() if z.message)
+    neglected = max(swept.neglected for swept in results.swept.values())
+    stops = "; ".join(swept.message for swept in results.swept.values() if swept.message)
     return [
         *rows,
         Quantity("sweep_seconds", results.seconds, unit="s",
@@ -89,8 +128,8 @@ def sweeps(results: Results) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def branches(found: Branches) -> list[Quantity]:
-    """What excites the harmonics; folds and stability of the nonlinear motions over the speed."""
+def branches(found: SweptBranches) -> list[Quantity]:
+    """Compare the excitation of the harmonics; folds and stability of the nonlinear motions over the speed."""
     one, two = found.followed[0.01], found.followed[0.02]
     converged = {"elements": CONVERGED}
     ones = np.ones(len(one.folds))

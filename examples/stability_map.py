@@ -18,7 +18,7 @@ from flexel.base.arrays import Array
 from flexel.examples import bicycle, whipple
 from flexel.examples import bicycle_data as data
 from flexel.examples.reasons import ROUNDING
-from flexel.results.report import Quantity, Report
+from flexel.results.reproduction import Quantity, Report
 
 WHEELBASE, TRAIL = (0.85, 1.25), (0.0, 0.16)  # [m]
 COARSE, FINE = 21, 100  # points along each side: of the table, and of the picture
@@ -27,22 +27,22 @@ MATRICES = ("M", "C1", "K0", "K2")
 
 
 def parameters(wheelbase: float, trail: float) -> dict[str, float]:
-    """Those of the benchmark with another wheelbase and trail [m]."""
+    """Return the parameters of the benchmark with another wheelbase and trail [m]."""
     return data.BENCHMARK | {"w": wheelbase, "c": trail}
 
 
 def build(wheelbase: float, trail: float) -> fx.Model:
-    """The bicycle with another wheelbase and trail [m]; all masses stay where they are."""
+    """Build the bicycle with another wheelbase and trail [m]; all masses stay where they are."""
     return bicycle.model(parameters(wheelbase, trail))
 
 
 def analyse(system: fx.System) -> dict[str, Array]:
-    """M, C1, K0 and K2 of lean and steer."""
+    """Compute M, C1, K0 and K2 of lean and steer."""
     return bicycle.matrices(system, data.BENCHMARK["g"])
 
 
 def sweep(count: int, **options: Any) -> Any:
-    """The matrices at count x count points, as an xarray.Dataset."""
+    """Compute the matrices at count x count points, as an xarray.Dataset."""
     points = {"wheelbase": np.linspace(*WHEELBASE, count), "trail": np.linspace(*TRAIL, count)}
     return fx.sweep(build, points, analyse, **options)
 
@@ -53,8 +53,8 @@ def stable(found: Any) -> Array:
 
 
 def conditions(found: Any, v: Array) -> Array:
-    """The conditions of Routh and Hurwitz (6, wheelbases, trails, speeds), all positive where stable."""
-    M, C1, K0, K2 = (found[z].values[:, :, None] for z in MATRICES)
+    """Return the conditions of Routh and Hurwitz (6, wheelbases, trails, speeds), all positive where stable."""
+    M, C1, K0, K2 = (found[name].values[:, :, None] for name in MATRICES)
     v = v[..., None, None]
     C, K = v * C1, data.BENCHMARK["g"] * K0 + v**2 * K2
     a4, a3, a2, a1, a0 = _determinant(M, C, K)
@@ -63,7 +63,7 @@ def conditions(found: Any, v: Array) -> Array:
 
 
 def margins(found: Any) -> tuple[Array, Array]:
-    """The smallest condition over the speeds (wheelbases, trails, speeds), and the largest of these, refined.
+    """Return the smallest condition over speeds (wheelbases, trails, speeds), and the largest of these, refined.
 
     Each condition is divided by its largest magnitude over the speeds, so that their order does not depend on units.
     """
@@ -76,7 +76,7 @@ def margins(found: Any) -> tuple[Array, Array]:
 
 
 def ranges(found: Any) -> tuple[Array, Array, Array]:
-    """Ends [m/s] of the stable range, by interpolation between the speeds, and the largest margin in it.
+    """Return the ends [m/s] of the stable range, by interpolation between the speeds, and the largest margin in it.
 
     Where no speed is stable both ends are the speed that is nearest to it, so that they continue the ranges.
     """
@@ -97,12 +97,12 @@ def ranges(found: Any) -> tuple[Array, Array, Array]:
 
 
 def _at(values: Array, number: Any) -> Array:
-    """One value of the last axis for each of the others."""
+    """Pick one value of the last axis for each of the others."""
     return np.asarray(np.take_along_axis(values, number[..., None], axis=-1)[..., 0])
 
 
 def _determinant(M: Array, C: Array, K: Array) -> list[Array]:
-    """Coefficients of det(s² M + s C + K), from that of s⁴ on."""
+    """Return the coefficients of det(s² M + s C + K), from that of s⁴ on."""
     parts: list[Any] = [0.0] * 5
     for i, A in enumerate((M, C, K)):
         for j, B in enumerate((M, C, K)):
@@ -111,13 +111,13 @@ def _determinant(M: Array, C: Array, K: Array) -> list[Array]:
 
 
 def widths(steady: Array) -> Array:
-    """Width [m/s] of the stable range; NaN where there is none."""
+    """Return the width [m/s] of the stable range; NaN where there is none."""
     width = steady.sum(axis=-1) * (SPEEDS[1] - SPEEDS[0])
     return np.where(width > 0, width, np.nan)
 
 
 def reproduce(out: Path | None = None) -> Report:
-    """The equations beside the formulas at every point of a coarse grid; the map of 10⁴ points in `out`, if given."""
+    """Compare the equations with the formulas on a coarse grid; write the map of 10⁴ points to `out`, if given."""
     found = sweep(COARSE)
     files: list[Path] = []
     if out is not None:
@@ -128,12 +128,12 @@ def reproduce(out: Path | None = None) -> Report:
 
 
 def rows(found: Any) -> list[Quantity]:
-    """The largest differences from the formulas, and the ranges of the map."""
+    """Return the largest differences from the formulas, and the ranges of the map."""
     w, c = found.wheelbase.values, found.trail.values
     exact = [[whipple.matrices(parameters(float(a), float(b))) for b in c] for a in w]
     table = []
     for name in MATRICES:
-        formula = np.array([[z[name] for z in line] for line in exact])
+        formula = np.array([[matrices[name] for matrices in line] for line in exact])
         off = np.abs(found[name].values - formula).max() / np.abs(formula).max()
         table.append(
             Quantity(f"{name}_largest_error", float(off), 0.0, 1e-13, "", data.PAPER + ", appendix A",

@@ -1,4 +1,4 @@
-"""The picture of the stability map."""
+"""The figure of the stability map."""
 
 from __future__ import annotations
 
@@ -7,13 +7,13 @@ from typing import Any
 
 import numpy as np
 
+from flexel.apps.view.figures import COLOURS, figure, save
 from flexel.examples import bicycle_data as data
 from flexel.examples.stability_map import SPEEDS, ranges
-from flexel.pictures.figures import COLOURS, figure, save
 
 
 def stability(found: Any, path: Path) -> Path:
-    """Width and lower end of the stable range of speeds over wheelbase and trail, with a smooth boundary."""
+    """Plot width and lower end of the stable range of speeds over wheelbase and trail, with a smooth boundary."""
     low, high, margin = ranges(found)
     w, c = found.wheelbase.values, found.trail.values * 1000
     own = data.BENCHMARK["w"], data.BENCHMARK["c"] * 1000

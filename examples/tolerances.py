@@ -18,11 +18,11 @@ import numpy as np
 
 import flexel as fx
 from flexel.base.arrays import Array
-from flexel.declare.materials import Profile
 from flexel.examples import flexures_exact as exact
 from flexel.examples.flexures import GUIDE, SPACING, STEEL, leaf
 from flexel.examples.reasons import SAMPLE
-from flexel.results.report import Quantity, Report
+from flexel.parts.materials import Profile
+from flexel.results.reproduction import Quantity, Report
 
 COUNT = 256  # stages
 ELEMENTS = 2  # of each leaf spring: four change the lowest frequency by 2e-7 of it, the others by 1.5 %
@@ -45,7 +45,7 @@ NOMINAL = {
 
 
 def build(left: float, right: float, length: float, modulus: float, mass: float) -> fx.Model:
-    """The guide with leaf springs of these thicknesses [m], their length [m], modulus [Pa], and its mass [kg]."""
+    """Build the guide with leaf springs of these thicknesses [m], their length [m], modulus [Pa], and its mass [kg]."""
     m, material = fx.Model(), replace(STEEL, E=modulus)
     m.point(GUIDE.point, (length / 2, 0, 0))
     m.frame(GUIDE.frame)
@@ -58,38 +58,45 @@ def build(left: float, right: float, length: float, modulus: float, mass: float)
 
 
 def analyse(system: fx.System) -> dict[str, Any]:
-    """The lowest natural frequencies [Hz]."""
+    """Compute the lowest natural frequencies [Hz]."""
     from xarray import DataArray
 
-    found = np.array([z.omega for z in system.vibrations(count=MODES)]) / (2 * np.pi)
+    found = np.array([mode.omega for mode in system.vibrations(count=MODES)]) / (2 * np.pi)
     return {"frequency": DataArray(found, {"mode": range(1, MODES + 1)}, "mode", attrs={"units": "Hz"})}
 
 
 def stages(count: int = COUNT) -> fx.Points:
-    """The sample: the same at each call."""
+    """Draw the sample: the same at each call."""
     from scipy.stats import norm
 
-    return fx.sample({z: norm(NOMINAL[z], DEVIATIONS[z] * NOMINAL[z]) for z in NOMINAL}, count, seed=2017)
+    return fx.sample(
+        {name: norm(NOMINAL[name], DEVIATIONS[name] * NOMINAL[name]) for name in NOMINAL}, count, seed=2017
+    )
 
 
 def expected(point: Mapping[str, float]) -> float:
-    """The lowest frequency [Hz] by the closed form, for two equal leaf springs of the mean stiffness and mass."""
+    """Return the lowest frequency [Hz] in closed form, for two equal leaf springs of the mean stiffness and mass."""
     material = replace(STEEL, E=point["modulus"])
-    profiles = [Profile(replace(GUIDE.section, height=point[z]), material) for z in ("left", "right")]
-    EI = float(np.mean([z.stiffness()["EIz"] for z in profiles]))
-    rhoA = float(np.mean([z.mass()[0] for z in profiles]))
+    profiles = [Profile(replace(GUIDE.section, height=point[side]), material) for side in ("left", "right")]
+    EI = float(np.mean([profile.stiffness()["EIz"] for profile in profiles]))
+    rhoA = float(np.mean([profile.mass()[0] for profile in profiles]))
     return exact.guided_frequency(EI, point["length"], rhoA, point["mass"] / 2) / (2 * np.pi)
 
 
 def spread() -> float:
-    """Standard deviation of the lowest frequency over its mean, to first order: f² is as E (t1³ + t2³)/(L³ m)."""
-    z = DEVIATIONS
-    parts = (1.5 * z["left"], 1.5 * z["right"], 3 * z["length"], z["modulus"], z["mass"])
+    """Return the relative standard deviation of the lowest frequency to first order: f² is as E (t1³ + t2³)/(L³ m)."""
+    parts = (
+        1.5 * DEVIATIONS["left"],
+        1.5 * DEVIATIONS["right"],
+        3 * DEVIATIONS["length"],
+        DEVIATIONS["modulus"],
+        DEVIATIONS["mass"],
+    )
     return 0.5 * float(np.linalg.norm(parts))
 
 
 def reproduce(out: Path | None = None) -> Report:
-    """Percentiles and scatter beside their closed forms; a picture of the distribution in `out`, if given."""
+    """Compare percentiles and scatter with their closed forms; a figure of the distribution in `out`, if given."""
     points = stages()
     found = fx.sweep(build, points, analyse).frequency.values
     closed = np.array([expected(points.point(i)) for i in range(len(points))])
@@ -102,7 +109,7 @@ def reproduce(out: Path | None = None) -> Report:
 
 
 def rows(found: Array, closed: Array) -> list[Quantity]:
-    """The table, from frequencies (points, modes) and those of the closed form (points,)."""
+    """Return the table, from frequencies (points, modes) and those of the closed form (points,)."""
     lowest = found[:, 0]
     table = [
         Quantity(f"lowest_p{p}", float(np.percentile(lowest, p)), float(np.percentile(closed, p)),

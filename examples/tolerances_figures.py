@@ -1,4 +1,4 @@
-"""The picture of the tolerances: how the lowest frequency of the stages is distributed."""
+"""The figure of the tolerances: how the lowest frequency of the stages is distributed."""
 
 from __future__ import annotations
 
@@ -6,12 +6,12 @@ from pathlib import Path
 
 import numpy as np
 
+from flexel.apps.view.figures import COLOURS, figure, save
 from flexel.base.arrays import Array
-from flexel.pictures.figures import COLOURS, figure, save
 
 
 def distribution(found: Array, closed: Array, path: Path) -> Path:
-    """Part of the stages below each lowest frequency, and the frequencies of the leaf springs themselves."""
+    """Plot the part of the stages below each lowest frequency, and the frequencies of the leaf springs themselves."""
     part = (np.arange(len(found)) + 0.5) / len(found)
     with figure(1, 2, size=(9.0, 4.0)) as (drawn, axes):
         axes[0].plot(np.sort(found[:, 0]), part, color=COLOURS[0], label="sweep")

@@ -17,7 +17,7 @@ import numpy as np
 
 import flexel as fx
 from flexel.examples import vehicle_data as data
-from flexel.results.report import Report
+from flexel.results.reproduction import Report
 
 TYRES = ("calspan", "linear", "zero slip", "vertical")
 UNIT_SPRING = fx.Curve([data.UNIT_SPRING])
@@ -43,7 +43,7 @@ def vehicle(
     thrust: float = 0.0,
     driven: bool = False,
 ) -> fx.System:
-    """The vehicle in its nominal position.
+    """Build the vehicle in its nominal position.
 
     Parameters
     ----------
@@ -57,7 +57,7 @@ def vehicle(
         The plane z = 0 by default.
     deflection : str
         What the tyres' springs act on: ``deflection``, in the plane of the wheel, so that a leaning wheel carries its
-        load beside its centre; or ``drop``, of the height of the centre, so that it carries it straight below.
+        load next to its centre; or ``drop``, of the height of the centre, so that it carries it straight below.
     spinning : bool
         False locks all wheels.
     thrust : float
@@ -93,9 +93,12 @@ def vehicle(
 
 
 def _dofs(m: fx.Model, speed: float, rolling: bool, driven: bool) -> None:
-    """Body and suspension; rolling without lateral slip takes two of them, a driven chassis one."""
+    """Choose body and suspension; rolling without lateral slip takes two of them, a driven chassis one."""
     kinematic = ("chassis.y", "yaw.angle") if rolling else ()
-    m.independent(*(z for z in BODY if z not in kinematic and not (driven and z == "chassis.x")), *SUSPENSION)
+    m.independent(
+        *(name for name in BODY if name not in kinematic and not (driven and name == "chassis.x")),
+        *SUSPENSION,
+    )
     if kinematic:
         m.kinematic(*kinematic)
     if driven:
@@ -105,7 +108,7 @@ def _dofs(m: fx.Model, speed: float, rolling: bool, driven: bool) -> None:
 
 
 def corner(m: fx.Model, axle: str, side: str, rack: Any, road: fx.Waves | None) -> None:
-    """Suspension, unit, leaf spring, wheel and tyre of one corner; names begin with ``front left`` and the like."""
+    """Add suspension, unit, leaf spring, wheel and tyre of one corner; names begin with ``front left`` and the like."""
     s, ahead = data.SIDES[side], 1.0 if axle == "front" else -1.0
 
     def named(part: str) -> str:
@@ -149,7 +152,7 @@ def corner(m: fx.Model, axle: str, side: str, rack: Any, road: fx.Waves | None) 
 
 
 def in_chassis(m: fx.Model, name: str, point: str) -> None:
-    """A link whose deformations are the displacements of a point along the chassis' x, y and z axes."""
+    """Add a link whose deformations are the displacements of a point along the chassis' x, y and z axes."""
     d0 = m.nodes[point].x0 - m.nodes["chassis"].x0
     none = np.zeros(3)
     values = {"tp": np.eye(4)[0], "d0": d0, "l0": np.linalg.norm(d0), "rhoA": 0.0, "rhoJ": none}
@@ -157,7 +160,7 @@ def in_chassis(m: fx.Model, name: str, point: str) -> None:
 
 
 def tyre_forces(m: fx.Model, axle: str, side: str, tyres: str, deflection: str) -> None:
-    """The law of a tyre: its spring, and side forces where there are any."""
+    """Add the law of a tyre: its spring, and side forces where there are any."""
     tyre = f"{axle} {side} tyre"
     spring: dict[str, Any] = {"stiffness": data.TYRE_STIFFNESS, "damping": 0.0}
     if tyres in ("zero slip", "vertical"):
@@ -165,12 +168,12 @@ def tyre_forces(m: fx.Model, axle: str, side: str, tyres: str, deflection: str) 
         return
     parts = (deflection, "camber", "forward", "sideways", "lateral", "spin")
     values: Mapping[str, Any] = data.CALSPAN if tyres == "calspan" else data.LINEAR[axle]
-    on = [f"{tyre}.{z}" for z in parts]
+    on = [f"{tyre}.{part}" for part in parts]
     m.attach(f"{tyres}_tyre", on, standstill=data.STANDSTILL, **spring, **values)
 
 
 def reproduce(out: Path | None = None) -> Report:
-    """All quantities beside their references; figures and an animation in `out`, if given."""
+    """Compute all quantities with their references; write figures and an animation to `out`, if given."""
     from flexel.examples import vehicle_runs, vehicle_table
 
     results = vehicle_runs.analyse()

@@ -15,7 +15,7 @@ TALK = (
 )
 TALK_COUNTS = {"elements": 85, "deformations": 239, "nodes": 70, "coordinates": 226, "degrees_of_freedom": 10}
 # 70 nodes with 226 coordinates: three coordinates of a point, four Euler parameters of a frame.
-TALK_NODES = {z: f"the talk's model can only have {n}" for z, n in (("point", 54), ("frame", 16))}
+TALK_NODES = {kind: f"the talk's model can only have {n}" for kind, n in (("point", 54), ("frame", 16))}
 PAPER = "Frik, Leister, Schwartz (1993) VSD 22 suppl. 215-253, as quoted in ovankerm/IAVSD_ILTIS"
 RERUN = "another program's run, not published (Robotran, ovankerm/IAVSD_ILTIS 81cd42c)"
 RECOMPUTED = (
@@ -61,7 +61,7 @@ WHEEL = _body("wheel_assembly")
 RADIUS: dict[str, float] = _TYRE["unloaded_radius"]  # of the unloaded tyre
 TYRE_STIFFNESS: float = _TYRE["stiffness"]
 _LEAF = _FORCES["leaf_spring"]
-LEAF_STIFFNESS, LEAF_STOP_STIFFNESS = (float(_LEAF[z]) for z in ("stiffness", "stop_stiffness"))
+LEAF_STIFFNESS, LEAF_STOP_STIFFNESS = (float(_LEAF[name]) for name in ("stiffness", "stop_stiffness"))
 LEAF_LENGTH, LEAF_FREE, LEAF_STOP = (
     0.076,
     float(_LEAF["free_length"]),
@@ -75,9 +75,9 @@ UNIT_DAMPER_BREAKS = (-0.2, 0.21)
 
 CALSPAN: dict[str, Any] = {
     "A": tuple(_COEFFICIENTS[f"A{i}"] for i in range(5)),
-    "B": tuple(_COEFFICIENTS[z] for z in ("B1", "B3", "B4")),
+    "B": tuple(_COEFFICIENTS[name] for name in ("B1", "B3", "B4")),
     "SN": _COEFFICIENTS["SN"],
-    "AF": tuple(_COEFFICIENTS[z] for z in ("AF1", "AF2")),
+    "AF": tuple(_COEFFICIENTS[name] for name in ("AF1", "AF2")),
 }
 LINEAR: dict[str, dict[str, Any]] = {
     "front": {"cornering": 41641.0, "camber_stiffness": 6925.0, "trail": 0.06553},

@@ -1,4 +1,4 @@
-"""Pictures of the road vehicle: model, root loci, steering with CALSPAN tyres and without slip, sines, bumps."""
+"""Figures of the road vehicle: model, root loci, steering with CALSPAN tyres and without slip, sines, bumps."""
 
 from __future__ import annotations
 
@@ -10,15 +10,15 @@ from pathlib import Path
 import numpy as np
 
 from flexel import Box, View
+from flexel.apps.view.figures import COLOURS, figure, save
+from flexel.apps.view.loci import plot_loci
+from flexel.apps.view.plot import animate, draw
+from flexel.apps.view.scene import canvas
 from flexel.examples import vehicle_data as data
-from flexel.examples.vehicle_runs import LOCI, Results, mode_name
+from flexel.examples.vehicle_runs import LOCI, VehicleResults, mode_name
 from flexel.examples.vehicle_signals import history, load_histories
 from flexel.linear.tracking import Branches
-from flexel.mechanics.linearization import Linearization
-from flexel.pictures.figures import COLOURS, figure, save
-from flexel.pictures.loci import plot_loci
-from flexel.pictures.plot import animate, draw
-from flexel.pictures.scene import canvas
+from flexel.results.linearization import Linearization
 
 LABELS = {
     "lateral_acceleration": "lateral acceleration [m/s²]",
@@ -29,10 +29,10 @@ LABELS = {
 TYRES = {"calspan": "CALSPAN tyres", "zero slip": "tyres without slip"}
 
 
-def pictures(results: Results, out: Path) -> list[Path]:
-    """Write all figures and the animation into a folder; returns what was written."""
+def pictures(results: VehicleResults, out: Path) -> list[Path]:
+    """Write all figures and the animation to a folder; return their paths."""
     out.mkdir(parents=True, exist_ok=True)
-    names: dict[str, Callable[[Results, Path], None]] = {
+    names: dict[str, Callable[[VehicleResults, Path], None]] = {
         "model.png": model,
         "root_loci.png": loci,
         "steer_30.png": steering,
@@ -45,8 +45,8 @@ def pictures(results: Results, out: Path) -> list[Path]:
     return [out / name for name in names]
 
 
-def model(results: Results, path: Path) -> None:
-    """The mechanism in static equilibrium."""
+def model(results: VehicleResults, path: Path) -> None:
+    """Draw the mechanism in static equilibrium."""
     view = View(elevation=16, azimuth=-62, span=3.0, sketches=bodywork())
     with canvas(results.equilibrium, (7.6, 5.2)) as (drawn, axes):
         draw(results.equilibrium, axes, view)
@@ -56,8 +56,8 @@ def model(results: Results, path: Path) -> None:
         save(drawn, path)
 
 
-def loci(results: Results, path: Path) -> None:
-    """Eigenvalues of straight running over the speed."""
+def loci(results: VehicleResults, path: Path) -> None:
+    """Plot the eigenvalues of straight running over the speed."""
     followed = branches(results.straight)
     plot_loci(
         followed,
@@ -70,10 +70,10 @@ def loci(results: Results, path: Path) -> None:
 
 
 def branches(straight: Sequence[Linearization]) -> Branches:
-    """Eigenvalues over the speed by the shapes of their modes, without what nothing restores: place and heading."""
+    """Follow eigenvalues over the speed by their modes' shapes, without what nothing restores: place and heading."""
     first = straight[0]
     found = Branches.of(
-        np.array(LOCI), [z.state_matrix for z in straight], (*first.dynamic, *first.dofs, *first.internal)
+        np.array(LOCI), [lin.state_matrix for lin in straight], (*first.dynamic, *first.dofs, *first.internal)
     )
     size = np.abs(found.eigenvalues).max(axis=0)
     kept = np.sort(np.argsort(size)[4:])
@@ -82,7 +82,7 @@ def branches(straight: Sequence[Linearization]) -> Branches:
 
 
 def patterns(followed: Branches, fast: Linearization) -> list[str]:
-    """What moves in each branch at the highest speed, numbered where that says the same of several."""
+    """Name the moving parts in each branch at the highest speed, numbered where that says the same of several."""
     modes = fast.modes()
     ends = [followed.eigenvalues[-1, family[0]] for family in followed.families]
     names = [
@@ -90,11 +90,13 @@ def patterns(followed: Branches, fast: Linearization) -> list[str]:
         for w in ends
     ]
     count = Counter(names)
-    return [z if count[z] == 1 else f"{z} ({names[: i + 1].count(z)})" for i, z in enumerate(names)]
+    return [
+        name if count[name] == 1 else f"{name} ({names[: i + 1].count(name)})" for i, name in enumerate(names)
+    ]
 
 
-def steering(results: Results, path: Path) -> None:
-    """Ramp-to-step steering at 30 m/s with both kinds of tyres, as in the talk."""
+def steering(results: VehicleResults, path: Path) -> None:
+    """Plot ramp-to-step steering at 30 m/s with both kinds of tyres, as in the talk."""
     with figure(3, 2, size=(9.0, 8.0), sharex=True) as (drawn, axes):
         for colour, (tyres, name) in zip(COLOURS, TYRES.items(), strict=False):
             motion = results.steering[30, tyres]
@@ -115,8 +117,8 @@ def steering(results: Results, path: Path) -> None:
         save(drawn, path)
 
 
-def sines(results: Results, path: Path) -> None:
-    """Yaw rate in sine steering."""
+def sines(results: VehicleResults, path: Path) -> None:
+    """Plot the yaw rate in sine steering."""
     with figure(1, size=(8.0, 4.0)) as (drawn, panel):
         for colour, (mm, motion) in zip(COLOURS, results.sines.items(), strict=False):
             panel.plot(motion.t, history(motion, "yaw_rate"), color=colour, label=f"{mm} mm")
@@ -127,8 +129,8 @@ def sines(results: Results, path: Path) -> None:
         save(drawn, path)
 
 
-def bumps(results: Results, path: Path) -> None:
-    """Height, angle and tyre loads over the cosine bump, in phase and in anti-phase."""
+def bumps(results: VehicleResults, path: Path) -> None:
+    """Plot height, angle and tyre loads over the cosine bump, in phase and in anti-phase."""
     with figure(3, 2, size=(9.0, 8.0), sharex="col") as (drawn, axes):
         for column, mirrored in enumerate((False, True)):
             for colour, v in zip(COLOURS, (5, 10), strict=False):
@@ -155,7 +157,7 @@ def bumps(results: Results, path: Path) -> None:
 
 
 def bodywork() -> list[Box]:
-    """Frame and cabin as boxes on the chassis; they have no part in the mechanics."""
+    """Return frame and cabin as boxes on the chassis; they have no part in the mechanics."""
     front, rear = data.AXLES["front"], data.AXLES["rear"]
     middle, length = (front + rear) / 2, abs(front - rear)
     sign = float(np.sign(front - rear))
@@ -168,8 +170,8 @@ def bodywork() -> list[Box]:
     return [Box("chassis", "body", centre, sides, colour=colour) for colour, centre, sides in boxes]
 
 
-def animation(results: Results, path: Path) -> None:
-    """Over the bump with the left wheels, through the hollow with the right ones, at 5 m/s."""
+def animation(results: VehicleResults, path: Path) -> None:
+    """Write a page of the drive over the bump with the left wheels, through the hollow with the right, at 5 m/s."""
     view = View(elevation=14, azimuth=-125, centre="chassis", span=3.4, sketches=bodywork())
     title = "Over a bump with the left wheels, through a hollow with the right ones, at 5 m/s"
     animate(results.bumps[5, True], path, fps=15, view=view, title=title)

@@ -1,4 +1,4 @@
-"""What is done with the road vehicle: equilibrium, linearization, steering, bumps, and the energy that goes round.
+"""Analyses of the road vehicle: equilibrium, linearization, steering, bumps, and the energy balance.
 
 What is read off the motions is in `flexel.examples.vehicle_signals`.
 """
@@ -20,9 +20,9 @@ from flexel.examples import vehicle_data as data
 from flexel.examples.differences import state_matrix
 from flexel.examples.vehicle import BODY, SUSPENSION, vehicle
 from flexel.integration.minimal import natural_scales_of_y
-from flexel.mechanics.core import Core
-from flexel.mechanics.linearization import Linearization
 from flexel.mechanics.modes import sort_eigenvalues
+from flexel.results.linearization import Linearization
+from flexel.system import CoreSystem
 
 SPEEDS = (10, 20, 30)  # of the steering manoeuvres [m/s]
 BUMP_SPEEDS = (5, 10)
@@ -32,82 +32,88 @@ HEAVE = ("chassis.z", "pitch.angle", "roll.angle", *SUSPENSION)
 
 
 def rounded_ramp() -> tuple[Callable[[float], float], Callable[[float], float], Callable[[float], float]]:
-    """The rack of the ramp-to-step manoeuvre, (u, u', u''), its two corners rounded."""
+    """Return the rack of the ramp-to-step manoeuvre, (u, u', u''), its two corners rounded."""
     return partial(_rack, 0), partial(_rack, 1), partial(_rack, 2)
 
 
 def _rack(order: int, t: float) -> float:
-    """The derivative of that order of the rack's displacement."""
+    """Return the derivative of that order of the rack's displacement."""
     return float(data.RAMP_RATE * (_corner(t)[order] - _corner(t - data.RAMP_SECONDS)[order]))
 
 
 def _corner(t: float) -> tuple[float, float, float]:
-    """Integral of a smooth step of height one and of the duration of a rounding, with its derivatives."""
+    """Return the integral of a smooth step of height one and of the duration of a rounding, with its derivatives."""
     T = data.ROUNDED
-    z = min(max(t / T, 0.0), 1.0)
-    return T * (z**3 - z**4 / 2) + max(t - T, 0.0), 3 * z**2 - 2 * z**3, 6 * z * (1 - z) / T
+    fraction = min(max(t / T, 0.0), 1.0)
+    return (
+        T * (fraction**3 - fraction**4 / 2) + max(t - T, 0.0),
+        3 * fraction**2 - 2 * fraction**3,
+        6 * fraction * (1 - fraction) / T,
+    )
 
 
 # -- states ---------------------------------------------------------------------------------------
 
 
 def unknowns(system: fx.System) -> tuple[str, ...]:
-    """Degrees of freedom that a steady straight motion determines."""
-    return tuple(z for z in HEAVE if z in system.dynamic)
+    """Return the degrees of freedom that a steady straight motion determines."""
+    return tuple(name for name in HEAVE if name in system.dynamic)
 
 
 def rates(system: fx.System, speed: float) -> dict[str, float]:
-    """Rates of the degrees of freedom in straight running."""
-    return {z: speed if z == "chassis.x" else 0.0 for z in system.dynamic}
+    """Return the rates of the degrees of freedom in straight running."""
+    return {name: speed if name == "chassis.x" else 0.0 for name in system.dynamic}
 
 
 def at_rest(system: fx.System) -> fx.State:
-    """Static equilibrium: heave, pitch, roll and suspension."""
+    """Find the static equilibrium: heave, pitch, roll and suspension."""
     return system.steady(unknown=unknowns(system))
 
 
 def straight(speed: float, tyres: str = "calspan") -> tuple[fx.System, fx.State]:
-    """The vehicle running straight at a steady speed [m/s], with the thrust that toe and camber ask for."""
+    """Find the straight running at a steady speed [m/s], with the thrust that toe and camber ask for."""
     driven = vehicle(speed, tyres=tyres, driven=True)
     towed = at_rest(driven)
     system = vehicle(speed, tyres=tyres, thrust=towed.force("chassis.x"))
-    found = system.state_at({z: towed[z] for z in HEAVE}, rates(system, speed))
+    found = system.state_at({name: towed[name] for name in HEAVE}, rates(system, speed))
     return system, system.steady(found, unknown=unknowns(system))
 
 
 def start(system: fx.System, speed: float, deflection: str = "deflection") -> fx.State:
-    """Static equilibrium with a forward speed [m/s]: where the benchmark's manoeuvres begin."""
+    """Return static equilibrium with a forward speed [m/s]: where the benchmark's manoeuvres begin."""
     rest = at_rest(vehicle(deflection=deflection))
-    return system.state_at({z: rest[z] for z in HEAVE}, rates(system, speed))
+    return system.state_at({name: rest[name] for name in HEAVE}, rates(system, speed))
 
 
 # -- linear equations -----------------------------------------------------------------------------
 
 
 def moving(lin: Linearization) -> Array:
-    """Eigenvalues without the four smallest: place and heading on the road, and the speed, which nothing restores."""
+    """Return the eigenvalues without the four smallest: place and heading on the road, and the speed."""
     w = np.asarray(lin.eigenvalues())
     return np.asarray(sort_eigenvalues(w[np.argsort(np.abs(w))[4:]]))
 
 
 def mode_name(mode: fx.Mode) -> str:
-    """What moves in a mode: wheels hopping in one of four patterns, or the body in one of its degrees of freedom."""
-    share = sum(mode.participation.get(z, 0.0) for z in SUSPENSION)
+    """Name the moving parts of a mode: wheels hopping in one of four patterns, or a degree of freedom of the body."""
+    share = sum(mode.participation.get(name, 0.0) for name in SUSPENSION)
     if share > 0.5:
-        arms = np.array([mode.shape[z] for z in SUSPENSION])
+        arms = np.array([mode.shape[name] for name in SUSPENSION])
         patterns = {
             "hop bounce": (1, 1, 1, 1),
             "hop pitch": (1, 1, -1, -1),
             "hop roll": (1, -1, 1, -1),
             "hop warp": (1, -1, -1, 1),
         }
-        return max(patterns, key=lambda z: abs(np.dot(patterns[z], arms)))
+        return max(patterns, key=lambda pattern: abs(np.dot(patterns[pattern], arms)))
     names = dict(zip(BODY, ("surge", "sway", "bounce", "yaw", "pitch", "roll"), strict=True))
-    return names[max((z for z in BODY if z in mode.participation), key=lambda z: mode.participation[z])]
+    return names[
+        max((name for name in BODY if name in mode.participation), key=lambda name: mode.participation[name])
+    ]
 
 
 def linear(speed: float, tyres: str = "calspan") -> tuple[fx.System, Linearization]:
-    """The vehicle running straight at a speed, linearized."""
+    """Linearize the vehicle running straight at a speed."""
     system, state = straight(speed, tyres)
     return system, system.linearize(state)
 
@@ -116,7 +122,7 @@ def linear(speed: float, tyres: str = "calspan") -> tuple[fx.System, Linearizati
 
 
 def ride(system: fx.System, begin: fx.State, seconds: float, rtol: float = RTOL, **grid: Any) -> fx.Motion:
-    """A motion with the tolerances of all manoeuvres; `grid` are the samples or times to store."""
+    """Simulate with the tolerances of all manoeuvres; `grid` are the samples or times to store."""
     return system.simulate(
         seconds,
         start=begin,
@@ -135,13 +141,13 @@ def steer(
     rtol: float = RTOL,
     deflection: str = "deflection",
 ) -> fx.Motion:
-    """Ramp-to-step steering to 2 mm of the rack."""
+    """Simulate ramp-to-step steering to 2 mm of the rack."""
     system = vehicle(speed, tyres=tyres, rack=rounded_ramp(), deflection=deflection)
     return ride(system, start(system, speed, deflection), seconds, rtol, samples=126)
 
 
 def sine_steer(millimetres: float, speed: float = 20.0, seconds: float = 3.0) -> fx.Motion:
-    """Sine steering at 1 Hz."""
+    """Simulate sine steering at 1 Hz."""
     system = vehicle(speed, rack=fx.Harmonic(millimetres / 1000, 2 * np.pi))
     return ride(system, start(system, speed), seconds, samples=151)
 
@@ -154,7 +160,7 @@ def bump(
     rtol: float = 1e-5,
     deflection: str = "deflection",
 ) -> fx.Motion:
-    """Over the cosine bump, or with its mirror image, a hollow, under the right wheels."""
+    """Simulate the drive over the cosine bump, or with its mirror image, a hollow, under the right wheels."""
     roads = {
         corner: fx.Waves(data.BUMP_HEIGHT * (-1 if antiphase and "right" in corner else 1), *data.BUMP)
         for corner in data.CORNERS
@@ -168,19 +174,21 @@ def bump(
 
 
 def energy_gap(run: Callable[[Array], fx.Motion], seconds: float, panels: int) -> float:
-    """Energy that is unaccounted for at the end of a motion, relative to what was dissipated and driven.
+    """Return the energy that is unaccounted for at the end of a motion, relative to what was dissipated and driven.
 
     What the laws dissipate and what drives wheels and rack is integrated by Gauss's rule with five points in each of
     the panels.
     """
-    z, w = np.polynomial.legendre.leggauss(5)
+    points, w = np.polynomial.legendre.leggauss(5)
     width = seconds / panels
-    nodes = (np.arange(panels)[:, None] + (z + 1) / 2) * width
+    nodes = (np.arange(panels)[:, None] + (points + 1) / 2) * width
     motion = run(np.concatenate([[0.0], nodes.ravel(), [seconds]]))
     inner = [state for state in motion if 0 < state.t < seconds]
-    driven = [z for z in motion.system.structure.names if z.endswith((" spin.angle", " rack.across1"))]
+    driven = [
+        name for name in motion.system.structure.names if name.endswith((" spin.angle", " rack.across1"))
+    ]
     power = np.array(
-        [[state.dissipated, sum(-state.force(z) * state.rate(z) for z in driven)] for state in inner]
+        [[state.dissipated, sum(-state.force(name) * state.rate(name) for name in driven)] for state in inner]
     )
     lost, given = np.tile(w, panels) * width / 2 @ power
     gained = motion[-1].energy.total - motion[0].energy.total
@@ -191,8 +199,8 @@ def energy_gap(run: Callable[[Array], fx.Motion], seconds: float, panels: int) -
 
 
 @dataclass(frozen=True)
-class Results:
-    """Everything that is computed, for the table and for the pictures."""
+class VehicleResults:
+    """All computed results, for the table and for the figures."""
 
     nominal: fx.State
     equilibrium: fx.State
@@ -210,12 +218,12 @@ class Results:
     seconds: dict[str, float] = field(default_factory=dict)
 
     @property
-    def system(self) -> Core:
+    def system(self) -> CoreSystem:
         """The vehicle at rest."""
         return self.steering[30, "calspan"].system
 
 
-def analyse() -> Results:
+def analyse() -> VehicleResults:
     """Run all analyses."""
     still = vehicle(deflection="drop")
     system, lin = linear(20.0)
@@ -228,7 +236,7 @@ def analyse() -> Results:
             began = time.process_time()
             steering[v, tyres] = steer(float(v), tyres)
             seconds[f"ramp_{v}_{tyres.replace(' ', '_')}"] = time.process_time() - began
-    return Results(
+    return VehicleResults(
         nominal=still.at_rest,
         equilibrium=at_rest(still),
         in_plane=at_rest(vehicle()),

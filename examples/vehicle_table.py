@@ -1,4 +1,4 @@
-"""The table of the road vehicle: every quantity beside its reference, with what explains their difference."""
+"""The table of the road vehicle: every quantity with its reference, and the reason for their difference."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 import flexel as fx
 from flexel.examples import vehicle_data as data
 from flexel.examples.reasons import PRINTED, ROUNDING
-from flexel.examples.vehicle_runs import Results, mode_name, moving
+from flexel.examples.vehicle_runs import VehicleResults, mode_name, moving
 from flexel.examples.vehicle_signals import (
     SIGNALS,
     at_stop,
@@ -21,9 +21,9 @@ from flexel.examples.vehicle_signals import (
     loads,
 )
 from flexel.integration.ranges import outside
-from flexel.mechanics.linearization import Linearization
 from flexel.mechanics.modes import sort_eigenvalues
-from flexel.results.report import Kind, Quantity
+from flexel.results.linearization import Linearization
+from flexel.results.reproduction import Kind, Quantity
 
 DEGREES = {"roll", "pitch", "yaw", "side_slip"}
 UNITS = (
@@ -35,19 +35,19 @@ STRAIGHT_BELOW = "tyre loads straight below the wheels' centres: the reading tha
 IN_PLANE = "tyre springs in the planes of the wheels: a second reading of the data"
 
 
-def quantities(results: Results) -> list[Quantity]:
-    """The whole table."""
+def quantities(results: VehicleResults) -> list[Quantity]:
+    """Return the whole table."""
     parts = (counts, statics, linear, steering, sines, bumps, speed_and_energy)
     return [row for part in parts for row in part(results)]
 
 
-def counts(results: Results) -> list[Quantity]:
-    """Size of the model beside the talk's, which has other elements for the same 10 degrees of freedom."""
+def counts(results: VehicleResults) -> list[Quantity]:
+    """Return the size of the model; the talk's has other elements for the same 10 degrees of freedom."""
     system = results.system
     s = system.structure
     found = system.counts
     sizes = {
-        "elements": sum(z.spec.name not in ("norm", "body", "rotation") for z in s.instances),
+        "elements": sum(instance.spec.name not in ("norm", "body", "rotation") for instance in s.instances),
         "deformations": found["deformations"],
         "nodes": len(s.nodes),
         "coordinates": found["coordinates"],
@@ -58,22 +58,23 @@ def counts(results: Results) -> list[Quantity]:
         Quantity(
             "degrees_of_freedom_zero_slip",
             zero_slip,
-            8,
+            found["degrees_of_freedom"] - len(data.AXLES),
             0,
             "",
-            "the talk; one mean lateral slip of each axle is zero",
-            kind="published",
+            "one less for each axle, whose mean lateral slip is zero; the talk gives no number for it",
+            kind="closed form",
         ),
-        *(Quantity(z, n, source=f"the talk's model has {data.TALK_COUNTS[z]}") for z, n in sizes.items()),
-        *(Quantity(f"{kind}_nodes", sum(z.kind == kind for z in s.nodes), source=data.TALK_NODES[kind])
+        *(Quantity(name, n, source=f"the talk's model has {data.TALK_COUNTS[name]}") for name, n in sizes.items()),
+        *(Quantity(f"{kind}_nodes", sum(node.kind == kind for node in s.nodes), source=data.TALK_NODES[kind])
           for kind in ("point", "frame")),
-        *(Quantity(z, found[z], source="free coordinates are as many as these conditions and the degrees of freedom")
-          for z in ("free_coordinates", "rigid_deformations", "norms", "prescribed")),
+        *(Quantity(name, found[name],
+                   source="free coordinates are as many as these conditions and the degrees of freedom")
+          for name in ("free_coordinates", "rigid_deformations", "norms", "prescribed")),
     ]  # fmt: skip
 
 
 def suspension_forces(state: fx.State) -> dict[str, float]:
-    """Forces of the suspension, tension positive, by the names of the table."""
+    """Return the forces of the suspension, tension positive, by the names of the table."""
     found: dict[str, float] = {}
     for axle in data.AXLES:
         corner = f"{axle} right"
@@ -84,44 +85,51 @@ def suspension_forces(state: fx.State) -> dict[str, float]:
     return found
 
 
-def statics(results: Results) -> list[Quantity]:
-    """Forces in the nominal position, and static equilibrium."""
+def statics(results: VehicleResults) -> list[Quantity]:
+    """Compare forces in the nominal position, and static equilibrium."""
     nominal = suspension_forces(results.nominal)
     nominal |= {"leaf": nominal["leaf_front"], "unit": nominal["unit_front"]}
     printed: Any = {"kind": "published", "tolerance_kind": "absolute", "reason": PRINTED}
     rows = [
-        Quantity(f"nominal_{z}", nominal[z], data.NOMINAL[z], 0.05, "N", data.PAPER, **printed)
-        for z in ("leaf", "unit")
+        Quantity(f"nominal_{name}", nominal[name], data.NOMINAL[name], 0.05, "N", data.PAPER, **printed)
+        for name in ("leaf", "unit")
     ]
     rows += [
         Quantity(
-            f"nominal_{z}", nominal[z], unit="N", source=f"published: {data.NOMINAL[z]}, of the level vehicle"
+            f"nominal_{name}",
+            nominal[name],
+            unit="N",
+            source=f"published: {data.NOMINAL[name]}, of the level vehicle",
         )
-        for z in ("tyre_front", "tyre_rear")
+        for name in ("tyre_front", "tyre_rear")
     ]
     rows += [
         Quantity(
-            f"level_{z}",
+            f"level_{name}",
             value,
-            data.NOMINAL[z],
+            data.NOMINAL[name],
             0.05,
             "N",
             f"{data.PAPER}; here by the lever rule",
             **printed,
         )
-        for z, value in lever_rule().items()
+        for name, value in lever_rule().items()
     ]
     found = suspension_forces(results.equilibrium) | height(results.equilibrium)
     other = suspension_forces(results.in_plane) | height(results.in_plane)
-    for z, (value, unit) in data.EQUILIBRIUM.items():
-        kind: Kind = "other program" if z == "pitch" else "own"
-        rows.append(Quantity(z, found[z], value, data.EQUILIBRIUM_TOLERANCES[z], unit, data.RECOMPUTED, kind=kind,
-                             tolerance_kind="absolute"))  # fmt: skip
+    for name, (value, unit) in data.EQUILIBRIUM.items():
+        kind: Kind = "other program" if name == "pitch" else "own"
+        rows.append(Quantity(name, found[name], value, data.EQUILIBRIUM_TOLERANCES[name], unit, data.RECOMPUTED,
+                             kind=kind, tolerance_kind="absolute"))  # fmt: skip
     rows += [
         Quantity(
-            f"{z}_in_plane", other[z], unit=unit, source=IN_PLANE, more={"change": other[z] / found[z] - 1}
+            f"{name}_in_plane",
+            other[name],
+            unit=unit,
+            source=IN_PLANE,
+            more={"change": other[name] / found[name] - 1},
         )
-        for z, (_, unit) in data.EQUILIBRIUM.items()
+        for name, (_, unit) in data.EQUILIBRIUM.items()
     ]
     return rows
 
@@ -132,9 +140,9 @@ def height(state: fx.State) -> dict[str, float]:
 
 
 def lever_rule() -> dict[str, float]:
-    """Tyre loads of the level vehicle [N] by moments about the axles."""
+    """Return the tyre loads of the level vehicle [N] by moments about the axles."""
     front, rear = data.AXLES["front"], data.AXLES["rear"]
-    arm, wheel, chassis = (float(z["mass"]) for z in (data.ARM, data.WHEEL, data.CHASSIS))
+    arm, wheel, chassis = (float(part["mass"]) for part in (data.ARM, data.WHEEL, data.CHASSIS))
     own = data.GRAVITY * (arm + wheel)
     body = data.GRAVITY * chassis / (2 * (front - rear))
     return {"tyre_front": own - rear * body, "tyre_rear": own + front * body}
@@ -144,15 +152,15 @@ SYMMETRIC = ("hop bounce", "hop pitch", "bounce", "pitch")
 
 
 def named(lin: Linearization, names: Iterable[str] = SYMMETRIC) -> list[complex]:
-    """Eigenvalues of modes by name, of the symmetric ones by default: both hops, bounce and pitch."""
+    """Return eigenvalues of modes by name, of the symmetric ones by default: both hops, bounce and pitch."""
     found = {
         mode_name(mode): mode.eigenvalue for mode in reversed(lin.modes()) if mode.eigenvalue.imag > 1e-6
     }
-    return [found[z] for z in names]
+    return [found[name] for name in names]
 
 
-def linear(results: Results) -> list[Quantity]:
-    """Eigenvalues at 20 m/s, and their confirmation."""
+def linear(results: VehicleResults) -> list[Quantity]:
+    """Compare the eigenvalues at 20 m/s, and their confirmation."""
     lin = results.linear
     difference = (
         np.abs(lin.state_matrix - results.differentiated).max() / np.abs(results.differentiated).max()
@@ -160,7 +168,7 @@ def linear(results: Results) -> list[Quantity]:
     modes = {
         mode_name(m): [m.eigenvalue.real, m.eigenvalue.imag] for m in lin.modes() if m.eigenvalue.imag > 1e-6
     }
-    rightmost = np.array([moving(z).real.max() for z in results.straight])
+    rightmost = np.array([moving(lin).real.max() for lin in results.straight])
     growing = f"5 ... 40 m/s, {np.count_nonzero(rightmost > 0) or 'no'} speed(s) with a growing mode"
     indicative = "; toe and camber change differ there"
     return [
@@ -179,24 +187,25 @@ def linear(results: Results) -> list[Quantity]:
     ]  # fmt: skip
 
 
-def steering(results: Results) -> list[Quantity]:
-    """The ramp-to-step manoeuvre at its end and its peaks, both models."""
+def steering(results: VehicleResults) -> list[Quantity]:
+    """Compare the ramp-to-step manoeuvre at its end and its peaks, both models."""
     rows = []
     for (v, tyres), motion in results.steering.items():
         compared = tyres == "calspan"
         end, suffix = motion[-1], "" if compared else "_zero_slip"
         source = "" if compared else "no lateral slip in the mean of each axle"
         found = {
-            f"{z}_5s": (z, SIGNALS[z](end)) for z in ("yaw_rate", "lateral_acceleration", "roll", "speed")
+            f"{signal}_5s": (signal, SIGNALS[signal](end))
+            for signal in ("yaw_rate", "lateral_acceleration", "roll", "speed")
         }
-        for z in data.STEER_PEAKS[v]:
-            found[f"{z}_peak"] = z, -float(np.abs(history(motion, z)).max())
-        for name, (z, value) in found.items():
-            expected = (data.STEER_PEAKS if name.endswith("peak") else data.STEER_ENDS)[v][z]
+        for signal in data.STEER_PEAKS[v]:
+            found[f"{signal}_peak"] = signal, -float(np.abs(history(motion, signal)).max())
+        for name, (signal, value) in found.items():
+            expected = (data.STEER_PEAKS if name.endswith("peak") else data.STEER_ENDS)[v][signal]
             rows.append(
-                rerun(f"{name}_{v}", value, expected, data.STEER_TOLERANCES[name][v], z)
+                rerun(f"{name}_{v}", value, expected, data.STEER_TOLERANCES[name][v], signal)
                 if compared
-                else Quantity(f"{name}_{v}{suffix}", value, unit=UNITS[z], source=source)
+                else Quantity(f"{name}_{v}{suffix}", value, unit=UNITS[signal], source=source)
             )
         slip = SIGNALS["side_slip"](end)
         rows.append(Quantity(f"side_slip_5s_{v}{suffix}", slip, unit="deg", source=source))
@@ -206,21 +215,26 @@ def steering(results: Results) -> list[Quantity]:
             else Quantity(f"tyre_loads_5s_{v}{suffix}", loads(end), unit="N", source=source)
         )
     rows += [
-        Quantity(f"{z}_5s_30_drop", SIGNALS[z](results.dropped), unit=UNITS[z], source=STRAIGHT_BELOW)
-        for z in ("yaw_rate", "roll")
+        Quantity(
+            f"{signal}_5s_30_drop",
+            SIGNALS[signal](results.dropped),
+            unit=UNITS[signal],
+            source=STRAIGHT_BELOW,
+        )
+        for signal in ("yaw_rate", "roll")
     ]
     return rows
 
 
 def rerun(name: str, found: ArrayLike, reference: ArrayLike, tolerance: float, signal: str) -> Quantity:
-    """Row of a number beside that of another program, of which few digits are known."""
+    """Return the row of a number with another program's, known to few digits."""
     reason = PRINTED if tolerance == data.LAST_DIGITS.get(signal) else ""
     return Quantity(name, found, reference, tolerance, UNITS[signal], data.RERUN, kind="other program",
                     tolerance_kind="absolute", reason=reason)  # fmt: skip
 
 
-def sines(results: Results) -> list[Quantity]:
-    """Range of the yaw rate in sine steering."""
+def sines(results: VehicleResults) -> list[Quantity]:
+    """Compare the range of the yaw rate in sine steering."""
     rows = []
     for mm, motion in results.sines.items():
         rate = history(motion, "yaw_rate")
@@ -230,8 +244,8 @@ def sines(results: Results) -> list[Quantity]:
     return rows
 
 
-def bumps(results: Results) -> list[Quantity]:
-    """Extremes over the bump, wheels that lift off, tyres outside the range of their data."""
+def bumps(results: VehicleResults) -> list[Quantity]:
+    """Compare extremes over the bump, wheels that lift off, tyres outside the range of their data."""
     rows = []
     for (v, mirrored), motion in results.bumps.items():
         name = f"bump_{'antiphase' if mirrored else 'in_phase'}_{v}"
@@ -252,7 +266,8 @@ def bumps(results: Results) -> list[Quantity]:
                 rows.append(rerun(f"{name}_{signal}", found, extremes, tolerance, signal))
         notes = {"lifted": lifted(motion), "outside_range": outside(motion.system, list(motion))}
         said = (
-            "; ".join(f"{key}: {', '.join(z)}" for key, z in notes.items() if z) or "all wheels on the road"
+            "; ".join(f"{key}: {', '.join(named)}" for key, named in notes.items() if named)
+            or "all wheels on the road"
         )
         rows.append(Quantity(f"{name}_wheels_lifted", len(notes["lifted"]), source=said, more=notes))
         stopped = at_stop(motion)
@@ -261,8 +276,8 @@ def bumps(results: Results) -> list[Quantity]:
     return rows
 
 
-def speed_and_energy(results: Results) -> list[Quantity]:
-    """Energy bookkeeping and times of computation."""
+def speed_and_energy(results: VehicleResults) -> list[Quantity]:
+    """Compare energy and times of computation."""
     relative = "0; gained + dissipated - driven, relative to what went round"
     lifting = (
         "three quarters of a second at 10 m/s, wheels leave the road and land, leaf springs reach their stops"
@@ -273,6 +288,6 @@ def speed_and_energy(results: Results) -> list[Quantity]:
                  kind="closed form"),
         Quantity("energy_gap_lift_off", results.energy_lift_off, 0.0, 6e-5, "", f"{lifting}: {relative}",
                  kind="closed form"),
-        *(Quantity(f"seconds_{z}", t, unit="s", source=budget[z == "linearization"])
-          for z, t in results.seconds.items()),
+        *(Quantity(f"seconds_{name}", t, unit="s", source=budget[name == "linearization"])
+          for name, t in results.seconds.items()),
     ]  # fmt: skip

@@ -1,4 +1,4 @@
-"""Torsion of beams whose sections warp, beside Vlasov's closed forms: leaf springs, I beams, columns.
+"""Torsion of beams whose sections warp, compared with Vlasov's closed forms: leaf springs, I beams, columns.
 
 The models are rows of beams along x that share their warping nodes.  `reproduce` compares restrained torsion, uneven
 torsion with its bimoment, lateral and torsional buckling, frequencies, the twist of a leaf in tension, and the limit
@@ -17,9 +17,9 @@ import numpy as np
 
 import flexel as fx
 from flexel.base.arrays import Array
-from flexel.declare.materials import Profile
 from flexel.examples.warping_exact import BEAM, LEAF, SPAN, STEEL, Section, decay, stiffnesses
-from flexel.results.report import Report
+from flexel.parts.materials import Profile
+from flexel.results.reproduction import Report
 
 SLENDER: dict[str, Any] = {
     "EA": 1e7,
@@ -33,9 +33,9 @@ SLENDER: dict[str, Any] = {
 
 
 def numbers(section: Section, warping: bool) -> dict[str, Any]:
-    """Stiffness and mass of a section of steel, without shear flexibility, which the closed forms do not have."""
+    """Return stiffness and mass of a section of steel, without shear flexibility, as in the closed forms."""
     profile = Profile(section, STEEL)
-    found: dict[str, Any] = {z: k for z, k in profile.stiffness().items() if not z.startswith("GA")}
+    found: dict[str, Any] = {name: k for name, k in profile.stiffness().items() if not name.startswith("GA")}
     found["mass_per_length"], found["inertia_per_length"] = profile.mass()
     if warping:
         found |= {"EIw": STEEL.E * section.Iw, "warping_inertia_per_length": STEEL.rho * section.Iw}
@@ -43,7 +43,7 @@ def numbers(section: Section, warping: bool) -> dict[str, Any]:
 
 
 def row(section: Section, length: float, n: int, held: Sequence[int] = (), warping: bool = True) -> fx.Model:
-    """Row of n beams along x, P0 to Pn with frames R0 to Rn; warping held at the nodes named."""
+    """Build a row of n beams along x, P0 to Pn with frames R0 to Rn; warping held at the nodes named."""
     m = fx.Model()
     for i in range(n + 1):
         m.point(f"P{i}", (length * i / n, 0, 0))
@@ -60,7 +60,7 @@ def row(section: Section, length: float, n: int, held: Sequence[int] = (), warpi
 def clamped(
     section: Section, length: float, n: int, held: Sequence[int] = (), warping: bool = True
 ) -> fx.Model:
-    """The row with its first end clamped."""
+    """Build the row with its first end clamped."""
     m = row(section, length, n, held, warping)
     m.fix("P0", "R0")
     return m
@@ -69,7 +69,7 @@ def clamped(
 def between_forks(
     section: Section, length: float, n: int, held: Sequence[int] = (), warping: bool = True
 ) -> fx.Model:
-    """The row between forks, which hold the twist of the ends and let them bend; an end slides along x.
+    """Build the row between forks, which hold the twist of the ends and let them bend; an end slides along x.
 
     The angles of the hinges ``bend 0`` and ``bend n`` turn the ends about z, the axis of the height.
     """
@@ -83,13 +83,13 @@ def between_forks(
 
 
 def twist(state: fx.State, frame: str) -> float:
-    """Rotation about x of a frame that turns about x alone [rad]."""
+    """Return the rotation about x of a frame that turns about x alone [rad]."""
     a = state.position(frame)
     return float(2 * np.arctan2(a[1], a[0]))
 
 
 def leaf_stiffness(kl: float, n: int, tension: float = 0.0) -> float:
-    """Torsional stiffness of the clamped leaf over that of uniform torsion, with N Ip/A = tension GJ."""
+    """Return the torsional stiffness of the clamped leaf over that of uniform torsion, with N Ip/A = tension GJ."""
     length, GJ = kl / decay(LEAF), stiffnesses(LEAF)[0]
     m = clamped(LEAF, length, n, held=(0, n))
     m.load(f"P{n}.x", tension * GJ * LEAF.A / (LEAF.Iy + LEAF.Iz))
@@ -99,7 +99,7 @@ def leaf_stiffness(kl: float, n: int, tension: float = 0.0) -> float:
 
 
 def cantilever_torsion(n: int) -> tuple[Array, Array, float]:
-    """Places and angles (n + 1,) of the I beam under an end torque of 1 N m, and the bimoment at the clamp."""
+    """Return points and angles (n + 1,) of the I beam under an end torque of 1 N m, and the bimoment at the clamp."""
     m = clamped(BEAM, SPAN, n, held=(0,))
     m.load(f"R{n}", [1.0, 0.0, 0.0])
     state = m.build().equilibrium()
@@ -108,14 +108,14 @@ def cantilever_torsion(n: int) -> tuple[Array, Array, float]:
 
 
 def mid_twist(n: int) -> float:
-    """Twist in the middle of the I beam between forks under a torque of 1 N m there."""
+    """Return the twist in the middle of the I beam between forks under a torque of 1 N m there."""
     m = between_forks(BEAM, SPAN, n)
     m.load(f"R{n // 2}", [1.0, 0.0, 0.0])
     return twist(m.build().equilibrium(), f"R{n // 2}")
 
 
 def buckling_moment(section: Section, length: float, n: int, warping: bool = True) -> float:
-    """Uniform moment that buckles the beam sideways, about the axis of its large stiffness."""
+    """Find the uniform moment that buckles the beam sideways, about the axis of its large stiffness."""
     m = between_forks(section, length, n, warping=warping)
     system = m.build()
     modes = system.buckling(increment={"bend 0.angle": -1.0, f"bend {n}.angle": 1.0}, count=1)
@@ -123,14 +123,14 @@ def buckling_moment(section: Section, length: float, n: int, warping: bool = Tru
 
 
 def buckling_load(length: float, n: int, held: bool) -> float:
-    """Axial load that twists the I beam, as a column whose axis is kept straight."""
+    """Find the axial load that twists the I beam, as a column whose axis is kept straight."""
     m = between_forks(BEAM, length, n, held=(0, n) if held else ())
-    m.fix(*(f"P{i}.{z}" for i in range(1, n) for z in "yz"))
+    m.fix(*(f"P{i}.{component}" for i in range(1, n) for component in "yz"))
     return m.build().buckling(increment={f"P{n}.x": -1.0}, count=1)[0].multiplier
 
 
 def tip_load(ratio: float, n: int) -> float:
-    """Tip load over sqrt(EIy GJ)/L² that buckles a cantilever sideways, at GJ L²/(E Iw) = ratio."""
+    """Find the tip load over sqrt(EIy GJ)/L² that buckles a cantilever sideways, at GJ L²/(E Iw) = ratio."""
     m = fx.Model()
     for i in range(n + 1):
         m.point(f"P{i}", (i / n, 0, 0), fixed=i == 0)
@@ -143,30 +143,31 @@ def tip_load(ratio: float, n: int) -> float:
 
 
 def frequencies(n: int, count: int) -> Array:
-    """Torsional frequencies [rad/s] of the I beam between forks."""
+    """Compute the torsional frequencies [rad/s] of the I beam between forks."""
     m = between_forks(BEAM, SPAN, n)
     m.fix(*(f"P{i}" for i in range(1, n)), f"P{n}.x")
-    return np.array([z.omega for z in m.build().vibrations(count=count)])
+    return np.array([mode.omega for mode in m.build().vibrations(count=count)])
 
 
 def cantilever_mode(n: int) -> float:
-    """Lowest torsional frequency [rad/s] of the I beam as a cantilever whose axis is held."""
+    """Compute the lowest torsional frequency [rad/s] of the I beam as a cantilever whose axis is held."""
     m = clamped(BEAM, SPAN, n, held=(0,))
     m.fix(*(f"P{i}" for i in range(1, n + 1)))
     return float(m.build().vibrations(count=1)[0].omega)
 
 
 def plain_difference(n: int) -> float:
-    """Largest difference of the end's compliance from that of plain beams, with warping free, over its entry."""
+    """Return the largest relative difference of the end's compliance from that of plain beams, with warping free."""
     found = [
-        clamped(BEAM, SPAN, n, warping=z).build().compliance(f"P{n}", f"R{n}").matrix for z in (True, False)
+        clamped(BEAM, SPAN, n, warping=warping).build().compliance(f"P{n}", f"R{n}").matrix
+        for warping in (True, False)
     ]
     size = np.sqrt(np.outer(np.diag(found[1]), np.diag(found[1])))
     return float(np.max(np.abs(found[0] - found[1]) / size))
 
 
 def reproduce(out: Path | None = None) -> Report:
-    """All quantities beside their references; a figure in `out`, if given."""
+    """Compute all quantities with their references; write a figure to `out`, if given."""
     from flexel.examples.warping_table import rows
 
     files: list[Path] = []

@@ -8,7 +8,7 @@ from scipy.optimize import brentq
 
 import flexel as fx
 from flexel.base.arrays import Array
-from flexel.declare.materials import MATERIALS
+from flexel.parts.materials import MATERIALS
 
 STEEL = MATERIALS["steel"]
 LEAF = fx.Rectangle(20e-3, 0.3e-3)  # a leaf spring on edge, its height along y
@@ -19,42 +19,42 @@ Section = fx.Rectangle | fx.IBeam
 
 
 def stiffnesses(section: Section) -> tuple[float, float]:
-    """GJ [N m²] and E Iw [N m⁴] of a section of steel."""
+    """Return GJ [N m²] and E Iw [N m⁴] of a section of steel."""
     return STEEL.shear_modulus * section.J, STEEL.E * section.Iw
 
 
 def decay(section: Section) -> float:
-    """Vlasov's k [1/m]: warping decays from a restraint with exp(-k x)."""
+    """Return Vlasov's k [1/m]: warping decays from a restraint with exp(-k x)."""
     GJ, EIw = stiffnesses(section)
     return float(np.sqrt(GJ / EIw))
 
 
 def restrained(kl: float) -> float:
-    """Torsional stiffness of a beam clamped at both ends over that of uniform torsion."""
+    """Return the torsional stiffness of a beam clamped at both ends over that of uniform torsion."""
     return float(1 / (1 - np.tanh(kl / 2) / (kl / 2)))
 
 
 def cantilever_twist(x: Array, torque: float, length: float, section: Section) -> Array:
-    """Angle of twist of a cantilever under an end torque: warping held at x = 0, free at the end."""
+    """Return the angle of twist of a cantilever under an end torque: warping held at x = 0, free at the end."""
     GJ, k = stiffnesses(section)[0], decay(section)
     return np.asarray(torque / GJ * (x - np.sinh(k * x) / k + np.tanh(k * length) / k * (np.cosh(k * x) - 1)))
 
 
 def lateral_moment(section: Section, length: float, warping: bool = True) -> float:
-    """Uniform moment that buckles a beam between forks, whose weak axis is y."""
+    """Return the uniform moment that buckles a beam between forks, whose weak axis is y."""
     GJ, EIw = stiffnesses(section)
     EIw = EIw if warping else 0.0
     return float(np.pi / length * np.sqrt(STEEL.E * section.Iy * (GJ + np.pi**2 * EIw / length**2)))
 
 
 def torsional_load(length: float, restraint: float) -> float:
-    """Axial load that twists the I beam as a column; `restraint` 1: ends free to warp, 2: ends held plane."""
+    """Return the axial load that twists the I beam; `restraint` 1: ends free to warp, 2: ends held plane."""
     GJ, EIw = stiffnesses(BEAM)
     return float(BEAM.A / (BEAM.Iy + BEAM.Iz) * (GJ + (restraint * np.pi / length) ** 2 * EIw))
 
 
 def fork_frequencies(count: int) -> Array:
-    """Torsional frequencies [rad/s] of the I beam between forks, ends free to warp."""
+    """Return the torsional frequencies [rad/s] of the I beam between forks, ends free to warp."""
     GJ, EIw = stiffnesses(BEAM)
     a2 = (np.arange(1, count + 1) * np.pi / SPAN) ** 2
     inertia = STEEL.rho * (BEAM.Iy + BEAM.Iz + BEAM.Iw * a2)
@@ -62,7 +62,7 @@ def fork_frequencies(count: int) -> Array:
 
 
 def cantilever_frequency() -> float:
-    """Lowest torsional frequency [rad/s] of the I beam with warping held at one end and the other end free."""
+    """Return the lowest torsional frequency [rad/s] of the I beam with warping held at one end, the other end free."""
     GJ, EIw = stiffnesses(BEAM)
     polar, rho_iw = STEEL.rho * (BEAM.Iy + BEAM.Iz), STEEL.rho * BEAM.Iw
 
@@ -88,13 +88,13 @@ def cantilever_frequency() -> float:
 
 
 def stretched(kl: float, ratio: float) -> float:
-    """Torsional stiffness of a clamped leaf in tension over that of uniform torsion; N Ip/A = ratio GJ (Wagner)."""
+    """Return the torsional stiffness of a leaf in tension over uniform torsion's; N Ip/A = ratio GJ (Wagner)."""
     tensioned = kl * np.sqrt(1 + ratio)
     return (1 + ratio) * restrained(float(tensioned))
 
 
 def tip_load_factor(ratio: float) -> float:
-    """Tip load over sqrt(EIy GJ)/L² that buckles a cantilever sideways, at GJ L²/(E Iw) = ratio.
+    """Return the tip load over sqrt(EIy GJ)/L² that buckles a cantilever sideways, at GJ L²/(E Iw) = ratio.
 
     The load acts at the centroid.  Integrates E Iw phi'''' - GJ phi'' = (P (L - x))² phi/EIy with phi = phi' = 0 at the
     clamp, and neither bimoment nor torque at the end.
@@ -103,7 +103,9 @@ def tip_load_factor(ratio: float) -> float:
     def determinant(load: float) -> float:
         def slope(x: float, y: Array) -> Array:
             a, b = y[:4], y[4:]
-            return np.concatenate([[*z[1:], ratio * (z[2] + (load * (1 - x)) ** 2 * z[0])] for z in (a, b)])
+            return np.concatenate(
+                [[*state[1:], ratio * (state[2] + (load * (1 - x)) ** 2 * state[0])] for state in (a, b)]
+            )
 
         start = [0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.0, 1.0]
         end = solve_ivp(slope, (0.0, 1.0), start, method="DOP853", rtol=1e-12, atol=1e-12).y[:, -1]

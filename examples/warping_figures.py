@@ -1,4 +1,4 @@
-"""Picture of restrained torsion: the stiffness of a clamped leaf over its length, and the twist of an I beam."""
+"""Figure of restrained torsion: the stiffness of a clamped leaf over its length, and the twist of an I beam."""
 
 from __future__ import annotations
 
@@ -6,22 +6,22 @@ from pathlib import Path
 
 import numpy as np
 
+from flexel.apps.view.figures import COLOURS, figure, save
 from flexel.examples import warping as example
 from flexel.examples import warping_exact as exact
 from flexel.examples.warping_exact import BEAM, SPAN
-from flexel.pictures.figures import COLOURS, figure, save
 
 
 def pictures(out: Path) -> list[Path]:
-    """Write the figure into a folder; returns what was written."""
+    """Write the figure to a folder; return its path."""
     out.mkdir(parents=True, exist_ok=True)
     path = out / "warping_torsion.png"
     with figure(1, 2, size=(9.0, 4.2)) as (drawn, (left, right)):
         kl = np.geomspace(0.7, 60.0, 200)
-        left.loglog(kl, [exact.restrained(z) for z in kl], color=COLOURS[0], label="closed form")
+        left.loglog(kl, [exact.restrained(length) for length in kl], color=COLOURS[0], label="closed form")
         marks = np.geomspace(1.0, 50.0, 9)
         for n, marker in ((1, "o"), (4, "x")):
-            found = [example.leaf_stiffness(float(z), n) for z in marks]
+            found = [example.leaf_stiffness(float(length), n) for length in marks]
             label = f"{n} element{'s' * (n > 1)}"
             left.loglog(marks, found, marker, color=COLOURS[n % 2 + 1], label=label)
         left.set(

@@ -1,4 +1,4 @@
-"""The table of beams whose sections warp: every quantity beside its closed form."""
+"""The table of beams whose sections warp: every quantity with its closed form."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from flexel.examples import warping_exact as exact
 from flexel.examples.convergence import order
 from flexel.examples.reasons import ROUNDING
 from flexel.examples.warping_exact import BEAM, LEAF, SPAN, Section
-from flexel.results.report import Quantity
+from flexel.results.reproduction import Quantity
 
 VLASOV = "Vlasov 1961, Thin-walled elastic beams"
 LEAVES = {1.0: 5e-8, 2.0: 7e-7, 5.0: 1e-5, 10.0: 7e-5, 20.0: 4e-4, 50.0: 4e-3}  # k l: tolerance, 16 elements
@@ -19,12 +19,12 @@ LEAF_LENGTH = 0.1
 
 
 def rows() -> list[Quantity]:
-    """All rows."""
+    """Return all rows."""
     return [*leaf(), *torsion(), *lateral(), *column(), *vibration(), *limits()]
 
 
 def leaf() -> list[Quantity]:
-    """Restrained torsion of a leaf, clamped at both ends, over uniform torsion."""
+    """Compare restrained torsion of a leaf, clamped at both ends, with uniform torsion."""
     source = f"{VLASOV}; 1/(1 - tanh(k l/2)/(k l/2))"
     found = [
         Quantity(f"leaf_{kl:g}", example.leaf_stiffness(kl, 16), exact.restrained(kl), tolerance, "GJ/l", source,
@@ -48,7 +48,7 @@ def leaf() -> list[Quantity]:
 
 
 def torsion() -> list[Quantity]:
-    """Uneven torsion of an I beam."""
+    """Compare uneven torsion of an I beam."""
     x, angles, bimoment = example.cantilever_torsion(16)
     k, GJ = exact.decay(BEAM), exact.stiffnesses(BEAM)[0]
     closed = exact.cantilever_twist(x, 1.0, SPAN, BEAM)
@@ -64,7 +64,7 @@ def torsion() -> list[Quantity]:
 
 
 def lateral() -> list[Quantity]:
-    """Lateral buckling under uniform moment, with warping and without, and under a tip load."""
+    """Compare lateral buckling under uniform moment, with warping and without, and under a tip load."""
     source = "Timoshenko and Gere 1961, pi/l sqrt(EIy (GJ + pi² E Iw/l²))"
     cases: dict[str, tuple[Section, float, bool, float]] = {
         "lateral_i_beam": (BEAM, SPAN, True, 4e-6),
@@ -86,7 +86,7 @@ def lateral() -> list[Quantity]:
 
 
 def column() -> list[Quantity]:
-    """Torsional buckling of the I beam as a column."""
+    """Compare torsional buckling of the I beam as a column."""
     source = "Timoshenko and Gere 1961, A/Ip (GJ + pi² E Iw/l²)"
     cases = (("free_to_warp", False, 1, 2e-6), ("held_plane", True, 2, 6e-5))
     return [
@@ -97,7 +97,7 @@ def column() -> list[Quantity]:
 
 
 def vibration() -> list[Quantity]:
-    """Torsional frequencies of the I beam."""
+    """Compare torsional frequencies of the I beam."""
     return [
         Quantity("fork_frequencies", example.frequencies(16, 3), exact.fork_frequencies(3), 2e-4, "rad/s",
                  "Vlasov 1961, beam between forks, warping inertia included", {"elements": 16}, kind="closed form"),
@@ -108,7 +108,7 @@ def vibration() -> list[Quantity]:
 
 
 def limits() -> list[Quantity]:
-    """With warping free the beam is the plain one."""
+    """Compare the beam with warping free with the plain one."""
     return [
         Quantity("plain_beam_compliance_error", example.plain_difference(3), 0.0, 1e-12, "", "the plain beam",
                  kind="own", reason=ROUNDING),

@@ -10,7 +10,7 @@ from flexel.base.arrays import Array
 
 
 def matrices(p: Mapping[str, float]) -> dict[str, Array]:
-    """M, C1, K0, K2 (2, 2) of M q'' + v C1 q' + (g K0 + v² K2) q = 0, q = (lean, steer)."""
+    """Return M, C1, K0, K2 (2, 2) of M q'' + v C1 q' + (g K0 + v² K2) q = 0, q = (lean, steer)."""
     s, c = np.sin(p["lam"]), np.cos(p["lam"])
     m, x, z, T = _whole(p)
     m_A, A, x_A, z_A = _front(p)
@@ -33,7 +33,7 @@ def matrices(p: Mapping[str, float]) -> dict[str, Array]:
 
 
 def _whole(p: Mapping[str, float]) -> tuple[float, float, float, dict[str, float]]:
-    """Mass, place of the mass centre and moments of inertia at the rear contact of the whole bicycle."""
+    """Return mass, mass centre and moments of inertia at the rear contact of the whole bicycle."""
     m = p["mR"] + p["mB"] + p["mH"] + p["mF"]
     x = (p["xB"] * p["mB"] + p["xH"] * p["mH"] + p["w"] * p["mF"]) / m
     z = (-p["rR"] * p["mR"] + p["zB"] * p["mB"] + p["zH"] * p["mH"] - p["rF"] * p["mF"]) / m
@@ -54,7 +54,7 @@ def _whole(p: Mapping[str, float]) -> tuple[float, float, float, dict[str, float
 
 
 def _front(p: Mapping[str, float]) -> tuple[float, dict[str, float], float, float]:
-    """Mass, moments of inertia at the mass centre, and place of the mass centre of the front assembly."""
+    """Return mass, moments of inertia at the mass centre, and mass centre of the front assembly."""
     m = p["mH"] + p["mF"]
     x = (p["xH"] * p["mH"] + p["w"] * p["mF"]) / m
     z = (p["zH"] * p["mH"] - p["rF"] * p["mF"]) / m

@@ -6,6 +6,7 @@
  * bend1 = ez_p.ex_q,  bend2 = -ey_p.ex_q
  * d = xq - xp
  * (axial, radial1, radial2) = R(u_p)' d - d0
+ * axes: the directions in rows;  displacement: the deformations that are lengths
  *
  * Source: SPACAR95 manual (Schwab and Meijaard 2000), BEARING
  *
@@ -1553,9 +1554,87 @@ static void bearing_stiffness(size_t nblocks, const real *const *in, real *const
     }
 }
 
+/* outputs: 83 operations.
+ * in:  x (14), sigma (6), tau (0), p (11)
+ * out: axes (3,3), displacement (3) */
+FLEXEL_CLONES
+static void bearing_outputs(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (14 * 8);
+        const real *restrict p = in[3] + b * (11 * 8);
+        real *restrict axes = out[0] + b * (9 * 8);
+        real *restrict displacement = out[1] + b * (3 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real rp_l0 = x[3 * 8 + j];
+            const real tp_0 = p[0 * 8 + j];
+            const real rp_l1 = x[4 * 8 + j];
+            const real tp_1 = p[1 * 8 + j];
+            const real rp_l2 = x[5 * 8 + j];
+            const real tp_2 = p[2 * 8 + j];
+            const real rp_l3 = x[6 * 8 + j];
+            const real tp_3 = p[3 * 8 + j];
+            const real u_p_0 = rp_l0 * tp_0 - rp_l1 * tp_1 - rp_l2 * tp_2 - rp_l3 * tp_3;
+            const real t0 = u_p_0 * u_p_0;
+            const real u_p_1 = rp_l0 * tp_1 + rp_l1 * tp_0 + rp_l2 * tp_3 - rp_l3 * tp_2;
+            const real t1 = u_p_1 * u_p_1;
+            const real u_p_2 = rp_l0 * tp_2 + rp_l2 * tp_0 + rp_l3 * tp_1 - rp_l1 * tp_3;
+            const real t2 = u_p_2 * u_p_2;
+            const real u_p_3 = rp_l0 * tp_3 + rp_l1 * tp_2 + rp_l3 * tp_0 - rp_l2 * tp_1;
+            const real t3 = u_p_3 * u_p_3;
+            const real ex_p_x = t0 + t1 - t2 - t3;
+            axes[0 * 8 + j] = ex_p_x; /* axes(0,0) */
+            const real t4 = u_p_0 * u_p_3;
+            const real t5 = u_p_1 * u_p_2;
+            const real t6 = t4 + t5;
+            const real ex_p_y = 2.0 * t6;
+            axes[1 * 8 + j] = ex_p_y; /* axes(0,1) */
+            const real t7 = u_p_1 * u_p_3;
+            const real t8 = u_p_0 * u_p_2;
+            const real t9 = t7 - t8;
+            const real ex_p_z = 2.0 * t9;
+            axes[2 * 8 + j] = ex_p_z; /* axes(0,2) */
+            const real t10 = t5 - t4;
+            const real ey_p_x = 2.0 * t10;
+            axes[3 * 8 + j] = ey_p_x; /* axes(1,0) */
+            const real ey_p_y = t0 + t2 - t1 - t3;
+            axes[4 * 8 + j] = ey_p_y; /* axes(1,1) */
+            const real t11 = u_p_0 * u_p_1;
+            const real t12 = u_p_2 * u_p_3;
+            const real t13 = t11 + t12;
+            const real ey_p_z = 2.0 * t13;
+            axes[5 * 8 + j] = ey_p_z; /* axes(1,2) */
+            const real t14 = t8 + t7;
+            const real ez_p_x = 2.0 * t14;
+            axes[6 * 8 + j] = ez_p_x; /* axes(2,0) */
+            const real t15 = t12 - t11;
+            const real ez_p_y = 2.0 * t15;
+            axes[7 * 8 + j] = ez_p_y; /* axes(2,1) */
+            const real ez_p_z = t0 + t3 - t1 - t2;
+            axes[8 * 8 + j] = ez_p_z; /* axes(2,2) */
+            const real q_x = x[7 * 8 + j];
+            const real p_x = x[0 * 8 + j];
+            const real d_x = q_x - p_x;
+            const real d0_x = p[8 * 8 + j];
+            const real q_y = x[8 * 8 + j];
+            const real p_y = x[1 * 8 + j];
+            const real d_y = q_y - p_y;
+            const real q_z = x[9 * 8 + j];
+            const real p_z = x[2 * 8 + j];
+            const real d_z = q_z - p_z;
+            displacement[0 * 8 + j] = ex_p_x * d_x - d0_x + 2.0 * (t6 * d_y + t9 * d_z);
+            const real d0_y = p[9 * 8 + j];
+            displacement[1 * 8 + j] = ey_p_y * d_y - d0_y + 2.0 * (t10 * d_x + t13 * d_z);
+            const real d0_z = p[10 * 8 + j];
+            displacement[2 * 8 + j] = ez_p_z * d_z - d0_z + 2.0 * (t14 * d_x + t15 * d_y);
+        }
+    }
+}
+
 const flexel_element flexel_bearing = {
     .name = "bearing",
-    .digest = "f1966cfd294e2e34",
+    .digest = "5383bbccd03488ff",
     .n = 14,
     .m = 6,
     .k = 0,
@@ -1565,4 +1644,5 @@ const flexel_element flexel_bearing = {
     .rates = bearing_rates,
     .kinematics = bearing_kinematics,
     .stiffness = bearing_stiffness,
+    .outputs = bearing_outputs,
 };

@@ -4,6 +4,8 @@
  * w = 2 (conj(lambda) o lambdadot), angular velocity in body axes
  * T = mass vc.vc/2 + w.J w/2
  * U = -mass gravity.(x + R(lambda) c)
+ * centre: x + R(lambda) c
+ * origin: x, axes: columns of R(lambda) in rows: the frame that carries what a picture shows
  *
  * Source: Schwab and Meijaard 2006, DETC2006-99307
  *
@@ -795,13 +797,76 @@ static void body_tangent(size_t nblocks, const real *const *in, real *const *out
     }
 }
 
+/* outputs: 52 operations.
+ * in:  x (7), sigma (0), tau (0), p (13)
+ * out: centre (3), origin (3), axes (3,3) */
+FLEXEL_CLONES
+static void body_outputs(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (7 * 8);
+        const real *restrict p = in[3] + b * (13 * 8);
+        real *restrict centre = out[0] + b * (3 * 8);
+        real *restrict origin = out[1] + b * (3 * 8);
+        real *restrict axes = out[2] + b * (9 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real r_l0 = x[3 * 8 + j];
+            const real t0 = r_l0 * r_l0;
+            const real r_l1 = x[4 * 8 + j];
+            const real t1 = r_l1 * r_l1;
+            const real r_l2 = x[5 * 8 + j];
+            const real t2 = r_l2 * r_l2;
+            const real r_l3 = x[6 * 8 + j];
+            const real t3 = r_l3 * r_l3;
+            const real t4 = t0 + t1 - t2 - t3;
+            axes[0 * 8 + j] = t4; /* axes(0,0) */
+            const real c_x = p[1 * 8 + j];
+            const real p_x = x[0 * 8 + j];
+            origin[0 * 8 + j] = p_x;
+            const real t5 = r_l1 * r_l2;
+            const real t6 = r_l0 * r_l3;
+            const real t7 = t5 - t6;
+            const real c_y = p[2 * 8 + j];
+            const real t8 = r_l0 * r_l2;
+            const real t9 = r_l1 * r_l3;
+            const real t10 = t8 + t9;
+            const real c_z = p[3 * 8 + j];
+            centre[0 * 8 + j] = p_x + 2.0 * (c_y * t7 + c_z * t10) + c_x * t4;
+            const real p_y = x[1 * 8 + j];
+            origin[1 * 8 + j] = p_y;
+            const real t11 = t0 + t2 - t1 - t3;
+            axes[4 * 8 + j] = t11; /* axes(1,1) */
+            const real t12 = t6 + t5;
+            const real t13 = r_l2 * r_l3;
+            const real t14 = r_l0 * r_l1;
+            const real t15 = t13 - t14;
+            centre[1 * 8 + j] = c_y * t11 + 2.0 * (c_x * t12 + c_z * t15) + p_y;
+            const real p_z = x[2 * 8 + j];
+            origin[2 * 8 + j] = p_z;
+            const real t16 = t0 + t3 - t1 - t2;
+            axes[8 * 8 + j] = t16; /* axes(2,2) */
+            const real t17 = t9 - t8;
+            const real t18 = t14 + t13;
+            centre[2 * 8 + j] = c_z * t16 + 2.0 * (c_x * t17 + c_y * t18) + p_z;
+            axes[1 * 8 + j] = 2.0 * t12; /* axes(0,1) */
+            axes[2 * 8 + j] = 2.0 * t17; /* axes(0,2) */
+            axes[3 * 8 + j] = 2.0 * t7; /* axes(1,0) */
+            axes[5 * 8 + j] = 2.0 * t18; /* axes(1,2) */
+            axes[6 * 8 + j] = 2.0 * t10; /* axes(2,0) */
+            axes[7 * 8 + j] = 2.0 * t15; /* axes(2,1) */
+        }
+    }
+}
+
 const flexel_element flexel_body = {
     .name = "body",
-    .digest = "9ec7b2a5d2b975a6",
+    .digest = "5408c8c5f0201fbb",
     .n = 7,
     .m = 0,
     .k = 0,
     .np = 13,
     .inertia = body_inertia,
     .tangent = body_tangent,
+    .outputs = body_outputs,
 };

@@ -12,7 +12,7 @@ import re
 from cffi import FFI
 
 FOLDER = os.path.dirname(__file__)
-FLAGS = ["-O2", "-fno-math-errno", "-fno-trapping-math", "-fopenmp-simd", "-ffp-contract=off"]
+FLAGS = ["-O2", "-fno-math-errno", "-fno-trapping-math", "-fopenmp-simd", "-ffp-contract=off", "--param=ira-max-conflict-table-size=1"]
 BETWEEN = re.compile(r"/\* cdef: begin \*/\n(.*?)/\* cdef: end \*/", re.DOTALL)
 
 

@@ -6,6 +6,10 @@
  * curvature = (r' x r'')/|r'|^2, the turn by undeformed arc length, at 3 Gauss points
  * work: EA l0 (1, 1/3, 1/5) times the strains, EI times curvature and Gauss weight (of sum l0)
  * T = rhoA/2 int rdot.rdot ds (constant mass matrix),  U = -rhoA gravity.int r ds
+ * arc_length, tension, strain, curvature at 3 Gauss points:
+ * tension = (sigma1 + 3 sigma2 P1 + 5 sigma3 P2)/l0,  strain = strain1 + strain2 P1 + strain3 P2,
+ * curvature = its magnitude
+ * line: places on the curve
  *
  * Source: Gerstmayr and Irschik 2008, J. Sound Vib. 318:461 (strain and curvature); Gerstmayr and Shabana 2006,
  *   Nonlinear Dyn. 45:109 (cubic cable)
@@ -2567,9 +2571,124 @@ static void cable_tangent(size_t nblocks, const real *const *in, real *const *ou
     (void)nblocks, (void)in, (void)out; /* every entry is zero */
 }
 
+/* outputs: 201 operations.
+ * in:  x (12), e (12), sigma (12), tau (0), p (5)
+ * out: arc_length (3), tension (3), strain (3), curvature (3), line (9,3) */
+FLEXEL_CLONES
+static void cable_outputs(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (12 * 8);
+        const real *restrict e = in[1] + b * (12 * 8);
+        const real *restrict sigma = in[2] + b * (12 * 8);
+        const real *restrict p = in[4] + b * (5 * 8);
+        real *restrict arc_length = out[0] + b * (3 * 8);
+        real *restrict tension = out[1] + b * (3 * 8);
+        real *restrict strain = out[2] + b * (3 * 8);
+        real *restrict curvature = out[3] + b * (3 * 8);
+        real *restrict line = out[4] + b * (27 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real l0 = p[0 * 8 + j];
+            arc_length[0 * 8 + j] = 0.11270166537925831 * l0;
+            arc_length[1 * 8 + j] = 0.5 * l0;
+            arc_length[2 * 8 + j] = 0.8872983346207417 * l0;
+            const real t0 = 1.0 / l0;
+            const real sigma_strain3 = sigma[2 * 8 + j];
+            const real sigma_strain1 = sigma[0 * 8 + j];
+            const real t1 = sigma_strain1 + 2.0 * sigma_strain3;
+            const real sigma_strain2 = sigma[1 * 8 + j];
+            const real t2 = 2.32379000772445 * sigma_strain2;
+            tension[0 * 8 + j] = t0 * (t1 - t2);
+            tension[1 * 8 + j] = t0 * (sigma_strain1 - 2.5 * sigma_strain3);
+            tension[2 * 8 + j] = t0 * (t2 + t1);
+            const real e_strain3 = e[2 * 8 + j];
+            const real e_strain1 = e[0 * 8 + j];
+            const real t3 = e_strain1 + 0.4 * e_strain3;
+            const real e_strain2 = e[1 * 8 + j];
+            const real t4 = 0.7745966692414834 * e_strain2;
+            strain[0 * 8 + j] = t3 - t4;
+            strain[1 * 8 + j] = e_strain1 - 0.5 * e_strain3;
+            strain[2 * 8 + j] = t4 + t3;
+            const real e_curvature1y = e[4 * 8 + j];
+            const real e_curvature1x = e[3 * 8 + j];
+            const real e_curvature1z = e[5 * 8 + j];
+            const real t5 = e_curvature1x * e_curvature1x + e_curvature1z * e_curvature1z;
+            curvature[0 * 8 + j] = real_sqrt(e_curvature1y * e_curvature1y + t5);
+            const real e_curvature2y = e[7 * 8 + j];
+            const real e_curvature2x = e[6 * 8 + j];
+            const real e_curvature2z = e[8 * 8 + j];
+            const real t6 = e_curvature2x * e_curvature2x + e_curvature2z * e_curvature2z;
+            curvature[1 * 8 + j] = real_sqrt(e_curvature2y * e_curvature2y + t6);
+            const real e_curvature3y = e[10 * 8 + j];
+            const real e_curvature3x = e[9 * 8 + j];
+            const real e_curvature3z = e[11 * 8 + j];
+            const real t7 = e_curvature3x * e_curvature3x + e_curvature3z * e_curvature3z;
+            curvature[2 * 8 + j] = real_sqrt(e_curvature3y * e_curvature3y + t7);
+            const real p_x = x[0 * 8 + j];
+            line[0 * 8 + j] = p_x; /* line(0,0) */
+            const real p_y = x[1 * 8 + j];
+            line[1 * 8 + j] = p_y; /* line(0,1) */
+            const real p_z = x[2 * 8 + j];
+            line[2 * 8 + j] = p_z; /* line(0,2) */
+            const real q_x = x[6 * 8 + j];
+            line[24 * 8 + j] = q_x; /* line(8,0) */
+            const real dp_x = x[3 * 8 + j];
+            const real dq_x = x[9 * 8 + j];
+            line[3 * 8 + j] = 0.95703125 * p_x + 0.04296875 * q_x + l0 * (0.095703125 * dp_x - 0.013671875 * dq_x);
+                /* line(1,0) */
+            const real q_y = x[7 * 8 + j];
+            line[25 * 8 + j] = q_y; /* line(8,1) */
+            const real dp_y = x[4 * 8 + j];
+            const real dq_y = x[10 * 8 + j];
+            line[4 * 8 + j] = 0.95703125 * p_y + 0.04296875 * q_y + l0 * (0.095703125 * dp_y - 0.013671875 * dq_y);
+                /* line(1,1) */
+            const real q_z = x[8 * 8 + j];
+            line[26 * 8 + j] = q_z; /* line(8,2) */
+            const real dp_z = x[5 * 8 + j];
+            const real dq_z = x[11 * 8 + j];
+            line[5 * 8 + j] = 0.95703125 * p_z + 0.04296875 * q_z + l0 * (0.095703125 * dp_z - 0.013671875 * dq_z);
+                /* line(1,2) */
+            line[6 * 8 + j] = 0.84375 * p_x + 0.15625 * q_x + l0 * (0.140625 * dp_x - 0.046875 * dq_x);
+                /* line(2,0) */
+            line[7 * 8 + j] = 0.84375 * p_y + 0.15625 * q_y + l0 * (0.140625 * dp_y - 0.046875 * dq_y);
+                /* line(2,1) */
+            line[8 * 8 + j] = 0.84375 * p_z + 0.15625 * q_z + l0 * (0.140625 * dp_z - 0.046875 * dq_z);
+                /* line(2,2) */
+            line[9 * 8 + j] = 0.68359375 * p_x + 0.31640625 * q_x + l0 * (0.146484375 * dp_x - 0.087890625 * dq_x);
+                /* line(3,0) */
+            line[10 * 8 + j] = 0.68359375 * p_y + 0.31640625 * q_y + l0 * (0.146484375 * dp_y - 0.087890625 * dq_y);
+                /* line(3,1) */
+            line[11 * 8 + j] = 0.68359375 * p_z + 0.31640625 * q_z + l0 * (0.146484375 * dp_z - 0.087890625 * dq_z);
+                /* line(3,2) */
+            line[12 * 8 + j] = 0.5 * (p_x + q_x) - 0.125 * l0 * (dq_x - dp_x); /* line(4,0) */
+            line[13 * 8 + j] = 0.5 * (p_y + q_y) - 0.125 * l0 * (dq_y - dp_y); /* line(4,1) */
+            line[14 * 8 + j] = 0.5 * (p_z + q_z) - 0.125 * l0 * (dq_z - dp_z); /* line(4,2) */
+            line[15 * 8 + j] = 0.31640625 * p_x + 0.68359375 * q_x + l0 * (0.087890625 * dp_x - 0.146484375 * dq_x);
+                /* line(5,0) */
+            line[16 * 8 + j] = 0.31640625 * p_y + 0.68359375 * q_y + l0 * (0.087890625 * dp_y - 0.146484375 * dq_y);
+                /* line(5,1) */
+            line[17 * 8 + j] = 0.31640625 * p_z + 0.68359375 * q_z + l0 * (0.087890625 * dp_z - 0.146484375 * dq_z);
+                /* line(5,2) */
+            line[18 * 8 + j] = 0.15625 * p_x + 0.84375 * q_x + l0 * (0.046875 * dp_x - 0.140625 * dq_x);
+                /* line(6,0) */
+            line[19 * 8 + j] = 0.15625 * p_y + 0.84375 * q_y + l0 * (0.046875 * dp_y - 0.140625 * dq_y);
+                /* line(6,1) */
+            line[20 * 8 + j] = 0.15625 * p_z + 0.84375 * q_z + l0 * (0.046875 * dp_z - 0.140625 * dq_z);
+                /* line(6,2) */
+            line[21 * 8 + j] = 0.04296875 * p_x + 0.95703125 * q_x + l0 * (0.013671875 * dp_x - 0.095703125 * dq_x);
+                /* line(7,0) */
+            line[22 * 8 + j] = 0.04296875 * p_y + 0.95703125 * q_y + l0 * (0.013671875 * dp_y - 0.095703125 * dq_y);
+                /* line(7,1) */
+            line[23 * 8 + j] = 0.04296875 * p_z + 0.95703125 * q_z + l0 * (0.013671875 * dp_z - 0.095703125 * dq_z);
+                /* line(7,2) */
+        }
+    }
+}
+
 const flexel_element flexel_cable = {
     .name = "cable",
-    .digest = "50984630f72ad204",
+    .digest = "67c14ad02ffef3ec",
     .n = 12,
     .m = 12,
     .k = 0,
@@ -2581,4 +2700,5 @@ const flexel_element flexel_cable = {
     .stiffness = cable_stiffness,
     .inertia = cable_inertia,
     .tangent = cable_tangent,
+    .outputs = cable_outputs,
 };

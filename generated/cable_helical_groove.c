@@ -8,6 +8,7 @@
  * side = (yx - lead phi/(2 pi)) cos gamma from the nearest turn, tan gamma = lead/(2 pi (radius + rope_radius))
  * gap of the round groove with side for yx: its profile is perpendicular to the groove
  * tangential along the groove;  across along its profile, perpendicular to the groove
+ * place: x, force: on what touches, origin: of the surface, in global axes;  axes: its directions in rows
  *
  * Source: textbook mechanics
  *
@@ -4381,9 +4382,219 @@ static void cable_helical_groove_stiffness(size_t nblocks, const real *const *in
     }
 }
 
+/* outputs: 305 operations.
+ * in:  x (19), sigma (1), tau (2), p (15)
+ * out: place (3), force (3), origin (3), axes (3,3) */
+FLEXEL_CLONES
+static void cable_helical_groove_outputs(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (19 * 8);
+        const real *restrict sigma = in[1] + b * (1 * 8);
+        const real *restrict tau = in[2] + b * (2 * 8);
+        const real *restrict p = in[3] + b * (15 * 8);
+        real *restrict place = out[0] + b * (3 * 8);
+        real *restrict force = out[1] + b * (3 * 8);
+        real *restrict origin = out[2] + b * (3 * 8);
+        real *restrict axes = out[3] + b * (9 * 8);
+        real n0[8], n2[8], t11[8], ey_y[8], t18[8], y_y[8], ez_z[8], t21[8], t22[8], y_z[8], t23[8], ny[8], c_lead[8],
+            t25[8], t26[8], ex_x[8], t27[8], t28[8], turned[8], s_turned[8], c_turned[8], t29[8], t30[8], t31[8],
+            depth[8], t33[8], t34[8], t38[8], t39[8], t47[8], t51[8], nz[8], t55[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real dq_y = x[10 * 8 + j];
+            const real dp_y = x[4 * 8 + j];
+            const real turn_y = dq_y - dp_y;
+            const real dq_x = x[9 * 8 + j];
+            const real dp_x = x[3 * 8 + j];
+            const real turn_x = dq_x - dp_x;
+            const real dq_z = x[11 * 8 + j];
+            const real dp_z = x[5 * 8 + j];
+            const real turn_z = dq_z - dp_z;
+            const real square_turn = turn_x * turn_x + turn_z * turn_z + turn_y * turn_y;
+            const real t0 = 0.020833333333333332 + 0.0022569444444444442 * square_turn;
+            const real longer = 1.0 + square_turn * t0;
+            const real xi = p[1 * 8 + j];
+            const real t1 = 1.0 - xi;
+            const real t2 = t1 * t1;
+            const real l0 = p[0 * 8 + j];
+            const real n1 = l0 * t2 * xi;
+            const real t3 = xi * xi;
+            const real t4 = l0 * t1 * t3;
+            const real handles_x = dp_x * n1 - dq_x * t4;
+            const real t5 = 2.0 * xi;
+            n0[j] = t2 * (1.0 + t5);
+            const real p_x = x[0 * 8 + j];
+            n2[j] = t3 * (3.0 - t5);
+            const real q_x = x[6 * 8 + j];
+            const real t6 = p_x * n0[j] + q_x * n2[j] + longer * handles_x;
+            place[0 * 8 + j] = t6;
+            const real handles_y = dp_y * n1 - dq_y * t4;
+            const real p_y = x[1 * 8 + j];
+            const real q_y = x[7 * 8 + j];
+            const real t7 = p_y * n0[j] + q_y * n2[j] + longer * handles_y;
+            place[1 * 8 + j] = t7;
+            const real handles_z = dp_z * n1 - dq_z * t4;
+            const real p_z = x[2 * 8 + j];
+            const real q_z = x[8 * 8 + j];
+            const real t8 = p_z * n0[j] + q_z * n2[j] + longer * handles_z;
+            place[2 * 8 + j] = t8;
+            const real r_l1 = x[16 * 8 + j];
+            const real t_0 = p[2 * 8 + j];
+            const real r_l0 = x[15 * 8 + j];
+            const real t_1 = p[3 * 8 + j];
+            const real r_l2 = x[17 * 8 + j];
+            const real t_3 = p[5 * 8 + j];
+            const real r_l3 = x[18 * 8 + j];
+            const real t_2 = p[4 * 8 + j];
+            const real u_1 = r_l0 * t_1 + r_l2 * t_3 + r_l1 * t_0 - r_l3 * t_2;
+            const real u_2 = r_l0 * t_2 + r_l3 * t_1 + r_l2 * t_0 - r_l1 * t_3;
+            const real t9 = u_1 * u_2;
+            const real u_0 = r_l0 * t_0 - r_l1 * t_1 - r_l2 * t_2 - r_l3 * t_3;
+            const real u_3 = r_l0 * t_3 + r_l3 * t_0 + r_l1 * t_2 - r_l2 * t_1;
+            const real t10 = u_0 * u_3;
+            t11[j] = t9 - t10;
+            const real c_y = x[13 * 8 + j];
+            const real d_y = t7 - c_y;
+            const real t12 = u_0 * u_0;
+            const real t13 = u_2 * u_2;
+            const real t14 = u_1 * u_1;
+            const real t15 = u_3 * u_3;
+            ey_y[j] = t12 + t13 - t14 - t15;
+            axes[4 * 8 + j] = ey_y[j]; /* axes(1,1) */
+            const real c_x = x[12 * 8 + j];
+            const real d_x = t6 - c_x;
+            const real c_z = x[14 * 8 + j];
+            const real d_z = t8 - c_z;
+            const real t16 = u_0 * u_1;
+            const real t17 = u_2 * u_3;
+            t18[j] = t16 + t17;
+            const real arm_y = d_y * ey_y[j] + 2.0 * (d_x * t11[j] + d_z * t18[j]);
+            const real offset_y = p[7 * 8 + j];
+            y_y[j] = arm_y - offset_y;
+            ez_z[j] = t12 + t15 - t14 - t13;
+            axes[8 * 8 + j] = ez_z[j]; /* axes(2,2) */
+            const real t19 = u_0 * u_2;
+            const real t20 = u_1 * u_3;
+            t21[j] = t19 + t20;
+            t22[j] = t17 - t16;
+            const real arm_z = d_z * ez_z[j] + 2.0 * (d_x * t21[j] + d_y * t22[j]);
+            const real offset_z = p[8 * 8 + j];
+            y_z[j] = arm_z - offset_z;
+            const real distance = real_sqrt(y_y[j] * y_y[j] + y_z[j] * y_z[j]);
+            t23[j] = 1.0 / distance;
+            ny[j] = y_y[j] * t23[j];
+            const real radius = p[9 * 8 + j];
+            const real rope_radius = p[14 * 8 + j];
+            const real middle = radius + rope_radius;
+            const real lead = p[10 * 8 + j];
+            const real slant = real_sqrt(middle * middle + 0.025330295910584444 * (lead * lead));
+            const real t24 = 1.0 / slant;
+            c_lead[j] = middle * t24;
+            t25[j] = lead * c_lead[j];
+            t26[j] = 1.0 / lead;
+            ex_x[j] = t12 + t14 - t13 - t15;
+            axes[0 * 8 + j] = ex_x[j]; /* axes(0,0) */
+            t27[j] = t10 + t9;
+            t28[j] = t20 - t19;
+            const real arm_x = d_x * ex_x[j] + 2.0 * (d_y * t27[j] + d_z * t28[j]);
+            const real offset_x = p[6 * 8 + j];
+            const real y_x = arm_x - offset_x;
+            turned[j] = 6.283185307179586 * (t26[j] * y_x);
+            const real groove_radius = p[11 * 8 + j];
+            depth[j] = radius + groove_radius - distance;
+            const real flank_cos = p[13 * 8 + j];
+            t33[j] = flank_cos * depth[j];
+            t34[j] = depth[j] * depth[j];
+            const real tau_tangential = tau[0 * 8 + j];
+            t38[j] = c_lead[j] * tau_tangential;
+            t39[j] = lead * t24;
+            nz[j] = y_z[j] * t23[j];
+            t55[j] = 0.15915494309189535 * (t39[j] * tau_tangential);
+            origin[0 * 8 + j] = c_x + offset_x * ex_x[j] + 2.0 * (offset_z * t21[j] + offset_y * t11[j]);
+            origin[1 * 8 + j] = c_y + offset_y * ey_y[j] + 2.0 * (offset_z * t22[j] + offset_x * t27[j]);
+            origin[2 * 8 + j] = c_z + offset_z * ez_z[j] + 2.0 * (offset_y * t18[j] + offset_x * t28[j]);
+            const real ex_y = 2.0 * t27[j];
+            axes[1 * 8 + j] = ex_y; /* axes(0,1) */
+            const real ex_z = 2.0 * t28[j];
+            axes[2 * 8 + j] = ex_z; /* axes(0,2) */
+            const real ey_x = 2.0 * t11[j];
+            axes[3 * 8 + j] = ey_x; /* axes(1,0) */
+            const real ey_z = 2.0 * t18[j];
+            axes[5 * 8 + j] = ey_z; /* axes(1,2) */
+            const real ez_x = 2.0 * t21[j];
+            axes[6 * 8 + j] = ez_x; /* axes(2,0) */
+            const real ez_y = 2.0 * t22[j];
+            axes[7 * 8 + j] = ez_y; /* axes(2,1) */
+        }
+        for (size_t j = 0; j < 8; j++) {
+            s_turned[j] = real_sin(turned[j]);
+            c_turned[j] = real_cos(turned[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            t29[j] = y_y[j] * s_turned[j] - y_z[j] * c_turned[j];
+            t30[j] = y_y[j] * c_turned[j] + y_z[j] * s_turned[j];
+            const real t46 = 1.0 / (t29[j] * t29[j] + t30[j] * t30[j]);
+            t47[j] = t29[j] * t46;
+            t51[j] = t30[j] * t46;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            t31[j] = real_atan2(t29[j], t30[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real t32 = t25[j] * t31[j];
+            const real side = 0.15915494309189535 * t32;
+            const real flank_sin = p[12 * 8 + j];
+            const real square = real_lt(flank_sin * real_abs(side), t33[j]) ? t34[j] + 0.025330295910584444 * (t32
+                * t32) : 1.0;
+            const real length = real_sqrt(square);
+            const real t35 = 1.0 / length;
+            const real flank_cos = p[13 * 8 + j];
+            const real t36 = flank_cos * (real_lt(side, 0.0) ? -1.0 : 1.0);
+            const real n_side = real_lt(flank_sin * real_abs(side), t33[j]) ? 0.15915494309189535 * (t32 * t35) : t36;
+            const real tau_across = tau[1 * 8 + j];
+            const real t37 = tau_across * n_side;
+            const real n_depth = real_lt(flank_sin * real_abs(side), t33[j]) ? depth[j] * t35 : flank_sin;
+            const real t40 = tau_across * n_depth;
+            const real t41 = t23[j] * (t38[j] - 0.15915494309189535 * (t39[j] * t40));
+            const real sigma_gap = sigma[0 * 8 + j];
+            const real t42 = sigma_gap * (real_lt(flank_sin * real_abs(side), t33[j]) ? 0.0 : 1.0);
+            const real t43 = real_lt(flank_sin * real_abs(side), t33[j]) ? 1.0 : 0.0;
+            const real t44 = t35 * t43 * sigma_gap * t43;
+            const real t45 = t23[j] * (flank_sin * t42 + depth[j] * t44);
+            const real t48 = 0.15915494309189535 * (t36 * t42) + 0.025330295910584444 * (t32 * t44);
+            const real t49 = t25[j] * t48;
+            const real t50 = t47[j] * t49;
+            const real t52 = t51[j] * t49;
+            const real t53 = ny[j] * t37 - y_z[j] * t41 + (y_y[j] * t45 + c_turned[j] * t50 - s_turned[j] * t52);
+            const real t54 = nz[j] * t37 + y_y[j] * t41 + (s_turned[j] * t50 + c_turned[j] * t52 + y_z[j] * t45);
+            const real t56 = t55[j] + c_lead[j] * t40;
+            const real t57 = c_turned[j] * (y_z[j] * t50 - y_y[j] * t52) - s_turned[j] * (y_y[j] * t50 + y_z[j]
+                * t52);
+            const real t58 = t26[j] * t57;
+            const real t59 = 2.0 * (t11[j] * t53 + t21[j] * t54) + ex_x[j] * (t56 + 6.283185307179586 * t58);
+            const real p_fx = n0[j] * t59;
+            const real q_fx = n2[j] * t59;
+            force[0 * 8 + j] = -(p_fx + q_fx);
+            const real t60 = 12.566370614359172 * (t27[j] * t58) + 2.0 * (t27[j] * t56 + t22[j] * t54);
+            const real t61 = ey_y[j] * t53 + t60;
+            const real p_fy = n0[j] * t61;
+            const real q_fy = n2[j] * t61;
+            force[1 * 8 + j] = -(p_fy + q_fy);
+            const real t62 = 12.566370614359172 * (t28[j] * t58) + 2.0 * (t28[j] * t56 + t18[j] * t53);
+            const real t63 = ez_z[j] * t54 + t62;
+            const real p_fz = n0[j] * t63;
+            const real q_fz = n2[j] * t63;
+            force[2 * 8 + j] = -(p_fz + q_fz);
+        }
+    }
+}
+
 const flexel_element flexel_cable_helical_groove = {
     .name = "cable_helical_groove",
-    .digest = "b2108796957ca62c",
+    .digest = "b5881522e741f62f",
     .n = 19,
     .m = 1,
     .k = 2,
@@ -4393,4 +4604,5 @@ const flexel_element flexel_cable_helical_groove = {
     .rates = cable_helical_groove_rates,
     .kinematics = cable_helical_groove_kinematics,
     .stiffness = cable_helical_groove_stiffness,
+    .outputs = cable_helical_groove_outputs,
 };

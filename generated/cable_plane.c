@@ -5,6 +5,7 @@
  * triad ex, ey, ez: columns of R(lambda o t)
  * y = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1
  * gap = yz - rope_radius, the plane is z = 0;  x = ydot_x,  y = ydot_y
+ * place: x, force: on what touches, origin: of the surface, in global axes;  axes: its directions in rows
  *
  * Source: textbook mechanics
  *
@@ -2120,9 +2121,134 @@ static void cable_plane_stiffness(size_t nblocks, const real *const *in, real *c
     }
 }
 
+/* outputs: 158 operations.
+ * in:  x (19), sigma (1), tau (2), p (10)
+ * out: place (3), force (3), origin (3), axes (3,3) */
+FLEXEL_CLONES
+static void cable_plane_outputs(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (19 * 8);
+        const real *restrict sigma = in[1] + b * (1 * 8);
+        const real *restrict tau = in[2] + b * (2 * 8);
+        const real *restrict p = in[3] + b * (10 * 8);
+        real *restrict place = out[0] + b * (3 * 8);
+        real *restrict force = out[1] + b * (3 * 8);
+        real *restrict origin = out[2] + b * (3 * 8);
+        real *restrict axes = out[3] + b * (9 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real xi = p[1 * 8 + j];
+            const real t0 = 1.0 - xi;
+            const real t1 = t0 * t0;
+            const real t2 = 2.0 * xi;
+            const real n0 = t1 * (1.0 + t2);
+            const real p_x = x[0 * 8 + j];
+            const real t3 = xi * xi;
+            const real n2 = t3 * (3.0 - t2);
+            const real q_x = x[6 * 8 + j];
+            const real l0 = p[0 * 8 + j];
+            const real n1 = l0 * xi * t1;
+            const real dp_x = x[3 * 8 + j];
+            const real t4 = l0 * t3 * t0;
+            const real dq_x = x[9 * 8 + j];
+            const real handles_x = dp_x * n1 - dq_x * t4;
+            const real dq_z = x[11 * 8 + j];
+            const real dp_z = x[5 * 8 + j];
+            const real turn_z = dq_z - dp_z;
+            const real turn_x = dq_x - dp_x;
+            const real dq_y = x[10 * 8 + j];
+            const real dp_y = x[4 * 8 + j];
+            const real turn_y = dq_y - dp_y;
+            const real square_turn = turn_x * turn_x + turn_y * turn_y + turn_z * turn_z;
+            const real t5 = 0.020833333333333332 + 0.0022569444444444442 * square_turn;
+            const real longer = 1.0 + square_turn * t5;
+            place[0 * 8 + j] = p_x * n0 + q_x * n2 + handles_x * longer;
+            const real p_y = x[1 * 8 + j];
+            const real q_y = x[7 * 8 + j];
+            const real handles_y = dp_y * n1 - dq_y * t4;
+            place[1 * 8 + j] = p_y * n0 + q_y * n2 + handles_y * longer;
+            const real p_z = x[2 * 8 + j];
+            const real q_z = x[8 * 8 + j];
+            const real handles_z = dp_z * n1 - dq_z * t4;
+            place[2 * 8 + j] = p_z * n0 + q_z * n2 + handles_z * longer;
+            const real r_l0 = x[15 * 8 + j];
+            const real t_0 = p[2 * 8 + j];
+            const real r_l1 = x[16 * 8 + j];
+            const real t_1 = p[3 * 8 + j];
+            const real r_l2 = x[17 * 8 + j];
+            const real t_2 = p[4 * 8 + j];
+            const real r_l3 = x[18 * 8 + j];
+            const real t_3 = p[5 * 8 + j];
+            const real u_0 = r_l0 * t_0 - r_l1 * t_1 - r_l2 * t_2 - r_l3 * t_3;
+            const real t6 = u_0 * u_0;
+            const real u_1 = r_l0 * t_1 + r_l1 * t_0 + r_l2 * t_3 - r_l3 * t_2;
+            const real t7 = u_1 * u_1;
+            const real u_2 = r_l0 * t_2 + r_l2 * t_0 + r_l3 * t_1 - r_l1 * t_3;
+            const real t8 = u_2 * u_2;
+            const real u_3 = r_l0 * t_3 + r_l1 * t_2 + r_l3 * t_0 - r_l2 * t_1;
+            const real t9 = u_3 * u_3;
+            const real ex_x = t6 + t7 - t8 - t9;
+            axes[0 * 8 + j] = ex_x; /* axes(0,0) */
+            const real tau_x = tau[0 * 8 + j];
+            const real t10 = u_0 * u_2;
+            const real t11 = u_1 * u_3;
+            const real t12 = t10 + t11;
+            const real sigma_gap = sigma[0 * 8 + j];
+            const real t13 = u_1 * u_2;
+            const real t14 = u_0 * u_3;
+            const real t15 = t13 - t14;
+            const real tau_y = tau[1 * 8 + j];
+            const real t16 = ex_x * tau_x + 2.0 * (t12 * sigma_gap + t15 * tau_y);
+            const real p_fx = n0 * t16;
+            const real q_fx = n2 * t16;
+            force[0 * 8 + j] = -(p_fx + q_fx);
+            const real ey_y = t6 + t8 - t7 - t9;
+            axes[4 * 8 + j] = ey_y; /* axes(1,1) */
+            const real t17 = u_2 * u_3;
+            const real t18 = u_0 * u_1;
+            const real t19 = t17 - t18;
+            const real t20 = t14 + t13;
+            const real t21 = ey_y * tau_y + 2.0 * (t19 * sigma_gap + t20 * tau_x);
+            const real p_fy = n0 * t21;
+            const real q_fy = n2 * t21;
+            force[1 * 8 + j] = -(p_fy + q_fy);
+            const real ez_z = t6 + t9 - t7 - t8;
+            axes[8 * 8 + j] = ez_z; /* axes(2,2) */
+            const real t22 = t18 + t17;
+            const real t23 = t11 - t10;
+            const real t24 = ez_z * sigma_gap + 2.0 * (t22 * tau_y + t23 * tau_x);
+            const real p_fz = n0 * t24;
+            const real q_fz = n2 * t24;
+            force[2 * 8 + j] = -(p_fz + q_fz);
+            const real offset_x = p[6 * 8 + j];
+            const real c_x = x[12 * 8 + j];
+            const real offset_y = p[7 * 8 + j];
+            const real offset_z = p[8 * 8 + j];
+            origin[0 * 8 + j] = c_x + offset_x * ex_x + 2.0 * (offset_y * t15 + offset_z * t12);
+            const real c_y = x[13 * 8 + j];
+            origin[1 * 8 + j] = c_y + 2.0 * (offset_x * t20 + offset_z * t19) + offset_y * ey_y;
+            const real c_z = x[14 * 8 + j];
+            origin[2 * 8 + j] = c_z + 2.0 * (offset_x * t23 + offset_y * t22) + offset_z * ez_z;
+            const real ex_y = 2.0 * t20;
+            axes[1 * 8 + j] = ex_y; /* axes(0,1) */
+            const real ex_z = 2.0 * t23;
+            axes[2 * 8 + j] = ex_z; /* axes(0,2) */
+            const real ey_x = 2.0 * t15;
+            axes[3 * 8 + j] = ey_x; /* axes(1,0) */
+            const real ey_z = 2.0 * t22;
+            axes[5 * 8 + j] = ey_z; /* axes(1,2) */
+            const real ez_x = 2.0 * t12;
+            axes[6 * 8 + j] = ez_x; /* axes(2,0) */
+            const real ez_y = 2.0 * t19;
+            axes[7 * 8 + j] = ez_y; /* axes(2,1) */
+        }
+    }
+}
+
 const flexel_element flexel_cable_plane = {
     .name = "cable_plane",
-    .digest = "d2810530c04c8997",
+    .digest = "1f0ccdccb8fb46ca",
     .n = 19,
     .m = 1,
     .k = 2,
@@ -2132,4 +2258,5 @@ const flexel_element flexel_cable_plane = {
     .rates = cable_plane_rates,
     .kinematics = cable_plane_kinematics,
     .stiffness = cable_plane_stiffness,
+    .outputs = cable_plane_outputs,
 };

@@ -7,6 +7,7 @@
  * w = (radius + groove_radius - distance from the axle ex, yx), from the centre of the round bottom to the rope
  * gap = groove_radius - rope_radius - n.w, n = w/|w| on the bottom, (sin beta, +-cos beta) on the flanks that
  * continue it;  tangential as for a cylinder,  across = n_0 ydot_x + n_1 distancedot, along the groove's profile
+ * place: x, force: on what touches, origin: of the surface, in global axes;  axes: its directions in rows
  *
  * Source: textbook mechanics
  *
@@ -3860,9 +3861,171 @@ static void cable_round_groove_stiffness(size_t nblocks, const real *const *in, 
     }
 }
 
+/* outputs: 234 operations.
+ * in:  x (19), sigma (1), tau (2), p (14)
+ * out: place (3), force (3), origin (3), axes (3,3) */
+FLEXEL_CLONES
+static void cable_round_groove_outputs(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (19 * 8);
+        const real *restrict sigma = in[1] + b * (1 * 8);
+        const real *restrict tau = in[2] + b * (2 * 8);
+        const real *restrict p = in[3] + b * (14 * 8);
+        real *restrict place = out[0] + b * (3 * 8);
+        real *restrict force = out[1] + b * (3 * 8);
+        real *restrict origin = out[2] + b * (3 * 8);
+        real *restrict axes = out[3] + b * (9 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real dq_y = x[10 * 8 + j];
+            const real dp_y = x[4 * 8 + j];
+            const real turn_y = dq_y - dp_y;
+            const real dq_x = x[9 * 8 + j];
+            const real dp_x = x[3 * 8 + j];
+            const real turn_x = dq_x - dp_x;
+            const real dq_z = x[11 * 8 + j];
+            const real dp_z = x[5 * 8 + j];
+            const real turn_z = dq_z - dp_z;
+            const real square_turn = turn_x * turn_x + turn_z * turn_z + turn_y * turn_y;
+            const real t0 = 0.020833333333333332 + 0.0022569444444444442 * square_turn;
+            const real longer = 1.0 + square_turn * t0;
+            const real xi = p[1 * 8 + j];
+            const real t1 = 1.0 - xi;
+            const real t2 = t1 * t1;
+            const real l0 = p[0 * 8 + j];
+            const real n1 = l0 * t2 * xi;
+            const real t3 = xi * xi;
+            const real t4 = l0 * t1 * t3;
+            const real handles_x = dp_x * n1 - dq_x * t4;
+            const real t5 = 2.0 * xi;
+            const real n0 = t2 * (1.0 + t5);
+            const real p_x = x[0 * 8 + j];
+            const real n2 = t3 * (3.0 - t5);
+            const real q_x = x[6 * 8 + j];
+            const real t6 = p_x * n0 + q_x * n2 + longer * handles_x;
+            place[0 * 8 + j] = t6;
+            const real handles_y = dp_y * n1 - dq_y * t4;
+            const real p_y = x[1 * 8 + j];
+            const real q_y = x[7 * 8 + j];
+            const real t7 = p_y * n0 + q_y * n2 + longer * handles_y;
+            place[1 * 8 + j] = t7;
+            const real handles_z = dp_z * n1 - dq_z * t4;
+            const real p_z = x[2 * 8 + j];
+            const real q_z = x[8 * 8 + j];
+            const real t8 = p_z * n0 + q_z * n2 + longer * handles_z;
+            place[2 * 8 + j] = t8;
+            const real r_l1 = x[16 * 8 + j];
+            const real t_0 = p[2 * 8 + j];
+            const real r_l0 = x[15 * 8 + j];
+            const real t_1 = p[3 * 8 + j];
+            const real r_l2 = x[17 * 8 + j];
+            const real t_3 = p[5 * 8 + j];
+            const real r_l3 = x[18 * 8 + j];
+            const real t_2 = p[4 * 8 + j];
+            const real u_1 = r_l0 * t_1 + r_l2 * t_3 + r_l1 * t_0 - r_l3 * t_2;
+            const real u_2 = r_l0 * t_2 + r_l3 * t_1 + r_l2 * t_0 - r_l1 * t_3;
+            const real t9 = u_1 * u_2;
+            const real u_0 = r_l0 * t_0 - r_l1 * t_1 - r_l2 * t_2 - r_l3 * t_3;
+            const real u_3 = r_l0 * t_3 + r_l3 * t_0 + r_l1 * t_2 - r_l2 * t_1;
+            const real t10 = u_0 * u_3;
+            const real t11 = t9 - t10;
+            const real c_y = x[13 * 8 + j];
+            const real d_y = t7 - c_y;
+            const real t12 = u_0 * u_0;
+            const real t13 = u_2 * u_2;
+            const real t14 = u_1 * u_1;
+            const real t15 = u_3 * u_3;
+            const real ey_y = t12 + t13 - t14 - t15;
+            axes[4 * 8 + j] = ey_y; /* axes(1,1) */
+            const real c_x = x[12 * 8 + j];
+            const real d_x = t6 - c_x;
+            const real c_z = x[14 * 8 + j];
+            const real d_z = t8 - c_z;
+            const real t16 = u_0 * u_1;
+            const real t17 = u_2 * u_3;
+            const real t18 = t16 + t17;
+            const real arm_y = d_y * ey_y + 2.0 * (d_x * t11 + d_z * t18);
+            const real offset_y = p[7 * 8 + j];
+            const real y_y = arm_y - offset_y;
+            const real ez_z = t12 + t15 - t14 - t13;
+            axes[8 * 8 + j] = ez_z; /* axes(2,2) */
+            const real t19 = u_0 * u_2;
+            const real t20 = u_1 * u_3;
+            const real t21 = t19 + t20;
+            const real t22 = t17 - t16;
+            const real arm_z = d_z * ez_z + 2.0 * (d_x * t21 + d_y * t22);
+            const real offset_z = p[8 * 8 + j];
+            const real y_z = arm_z - offset_z;
+            const real distance = real_sqrt(y_y * y_y + y_z * y_z);
+            const real t23 = 1.0 / distance;
+            const real ny = y_y * t23;
+            const real ex_x = t12 + t14 - t13 - t15;
+            axes[0 * 8 + j] = ex_x; /* axes(0,0) */
+            const real t24 = t10 + t9;
+            const real t25 = t20 - t19;
+            const real arm_x = d_x * ex_x + 2.0 * (d_y * t24 + d_z * t25);
+            const real offset_x = p[6 * 8 + j];
+            const real y_x = arm_x - offset_x;
+            const real flank_sin = p[11 * 8 + j];
+            const real radius = p[9 * 8 + j];
+            const real groove_radius = p[10 * 8 + j];
+            const real depth = radius + groove_radius - distance;
+            const real flank_cos = p[12 * 8 + j];
+            const real square = real_lt(flank_sin * real_abs(y_x), flank_cos * depth) ? depth * depth + y_x * y_x
+                : 1.0;
+            const real length = real_sqrt(square);
+            const real t26 = 1.0 / length;
+            const real t27 = flank_cos * (real_lt(y_x, 0.0) ? -1.0 : 1.0);
+            const real n_side = real_lt(flank_sin * real_abs(y_x), flank_cos * depth) ? y_x * t26 : t27;
+            const real tau_across = tau[1 * 8 + j];
+            const real t28 = tau_across * n_side;
+            const real nz = y_z * t23;
+            const real tau_tangential = tau[0 * 8 + j];
+            const real t29 = real_lt(flank_sin * real_abs(y_x), flank_cos * depth) ? 0.0 : 1.0;
+            const real sigma_gap = sigma[0 * 8 + j];
+            const real t30 = sigma_gap * t29;
+            const real t31 = real_lt(flank_sin * real_abs(y_x), flank_cos * depth) ? 1.0 : 0.0;
+            const real t32 = t26 * t31 * sigma_gap * t31;
+            const real t33 = t23 * (flank_sin * t30 + depth * t32);
+            const real t34 = ny * t28 - tau_tangential * nz + y_y * t33;
+            const real t35 = nz * t28 + tau_tangential * ny + y_z * t33;
+            const real n_depth = real_lt(flank_sin * real_abs(y_x), flank_cos * depth) ? depth * t26 : flank_sin;
+            const real t36 = tau_across * n_depth - (t27 * t30 + y_x * t32);
+            const real t37 = 2.0 * (t11 * t34 + t21 * t35) + ex_x * t36;
+            const real p_fx = n0 * t37;
+            const real q_fx = n2 * t37;
+            force[0 * 8 + j] = -(p_fx + q_fx);
+            const real t38 = 2.0 * (t24 * t36 + t22 * t35) + ey_y * t34;
+            const real p_fy = n0 * t38;
+            const real q_fy = n2 * t38;
+            force[1 * 8 + j] = -(p_fy + q_fy);
+            const real t39 = 2.0 * (t25 * t36 + t18 * t34) + ez_z * t35;
+            const real p_fz = n0 * t39;
+            const real q_fz = n2 * t39;
+            force[2 * 8 + j] = -(p_fz + q_fz);
+            origin[0 * 8 + j] = c_x + offset_x * ex_x + 2.0 * (offset_z * t21 + offset_y * t11);
+            origin[1 * 8 + j] = c_y + offset_y * ey_y + 2.0 * (offset_z * t22 + offset_x * t24);
+            origin[2 * 8 + j] = c_z + offset_z * ez_z + 2.0 * (offset_y * t18 + offset_x * t25);
+            const real ex_y = 2.0 * t24;
+            axes[1 * 8 + j] = ex_y; /* axes(0,1) */
+            const real ex_z = 2.0 * t25;
+            axes[2 * 8 + j] = ex_z; /* axes(0,2) */
+            const real ey_x = 2.0 * t11;
+            axes[3 * 8 + j] = ey_x; /* axes(1,0) */
+            const real ey_z = 2.0 * t18;
+            axes[5 * 8 + j] = ey_z; /* axes(1,2) */
+            const real ez_x = 2.0 * t21;
+            axes[6 * 8 + j] = ez_x; /* axes(2,0) */
+            const real ez_y = 2.0 * t22;
+            axes[7 * 8 + j] = ez_y; /* axes(2,1) */
+        }
+    }
+}
+
 const flexel_element flexel_cable_round_groove = {
     .name = "cable_round_groove",
-    .digest = "f8f7cecc79175a63",
+    .digest = "de26e22e721ffe8c",
     .n = 19,
     .m = 1,
     .k = 2,
@@ -3872,4 +4035,5 @@ const flexel_element flexel_cable_round_groove = {
     .rates = cable_round_groove_rates,
     .kinematics = cable_round_groove_kinematics,
     .stiffness = cable_round_groove_stiffness,
+    .outputs = cable_round_groove_outputs,
 };

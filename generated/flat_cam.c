@@ -5,6 +5,10 @@
  * psi = atan2(b, a), u = 48 psi/(2 pi), between i and i + 1; t = u - i
  * h = sum over j = 0 ... 5 of control[(i + j - 2) mod 48] B_j(t), uniform B-splines of degree five
  * gap = n.(xq - xp) - h sqrt(a^2 + b^2)
+ * profile: places h (cos psi, sin psi) + h' (-sin psi, cos psi) at the knots;  mark: from the centre to its start
+ * face: line across n, to both sides 1.2 times as far as the contact travels
+ * origin_p: xp, axes_p: ex, ey, columns of R(lambda_p o tp) in rows: the frame that carries profile and mark
+ * origin_q: xq, axes_q: n and the directions across it in rows: the frame that carries the face
  *
  * Source: support function of a convex cam; de Boor 1978, A Practical Guide to Splines
  *
@@ -3101,9 +3105,634 @@ static void flat_cam_stiffness(size_t nblocks, const real *const *in, real *cons
     }
 }
 
+/* outputs: 1245 operations.
+ * in:  x (14), sigma (1), tau (0), p (56)
+ * out: profile (49,3), 98 of 147 entries, mark (2,3), 2 of 6 entries, face (2,3), 2 of 6 entries, origin_p (3),
+ *   axes_p (3,3), origin_q (3), axes_q (3,3) */
+FLEXEL_CLONES
+static void flat_cam_outputs(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (14 * 8);
+        const real *restrict p = in[3] + b * (56 * 8);
+        real *restrict profile = out[0] + b * (98 * 8);
+        real *restrict mark = out[1] + b * (2 * 8);
+        real *restrict face = out[2] + b * (2 * 8);
+        real *restrict origin_p = out[3] + b * (3 * 8);
+        real *restrict axes_p = out[4] + b * (9 * 8);
+        real *restrict origin_q = out[5] + b * (3 * 8);
+        real *restrict axes_q = out[6] + b * (9 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real control_2 = p[10 * 8 + j];
+            const real control_46 = p[54 * 8 + j];
+            const real control_0 = p[8 * 8 + j];
+            const real control_1 = p[9 * 8 + j];
+            const real control_47 = p[55 * 8 + j];
+            const real t0 = 0.55 * control_0 + 0.21666666666666667 * (control_1 + control_47);
+            profile[0 * 8 + j] = profile[96 * 8 + j] = mark[0 * 8 + j] = 0.008333333333333333 * (control_2
+                + control_46) + t0; /* profile(0,0) profile(48,0) mark(1,0) */
+            const real t1 = 0.4166666666666667 * (control_1 - control_47) + 0.041666666666666664 * (control_2
+                - control_46);
+            profile[1 * 8 + j] = profile[97 * 8 + j] = mark[1 * 8 + j] = 7.639437268410976 * t1;
+                /* profile(0,1) profile(48,1) mark(1,1) */
+            const real control_3 = p[11 * 8 + j];
+            const real t2 = control_3 + control_47;
+            const real t3 = control_0 + control_2;
+            const real t4 = 0.5452946737555957 * control_1 + 0.21481305329765893 * t3;
+            const real t5 = 0.4166666666666667 * (control_2 - control_0) + 0.041666666666666664 * (control_3
+                - control_47);
+            profile[2 * 8 + j] = 0.00826204051144842 * t2 + t4 - 0.9971466573496369 * t5; /* profile(1,0) */
+            const real t6 = 0.07178940572102838 * control_1 + 0.028280674981011177 * t3;
+            profile[3 * 8 + j] = 0.00108771826850043 * t2 + t6 + 7.574080823553641 * t5; /* profile(1,1) */
+            const real control_4 = p[12 * 8 + j];
+            const real t7 = control_0 + control_4;
+            const real t8 = control_1 + control_3;
+            const real t9 = 0.008049381885742236 * t7 + 0.20928392902929813 * t8 + 0.5312592044589876 * control_2;
+            const real t10 = 0.041666666666666664 * (control_4 - control_0) + 0.4166666666666667 * (control_3
+                - control_1);
+            profile[4 * 8 + j] = t9 - 1.9772318589307385 * t10; /* profile(2,0) */
+            const real t11 = 0.0021568253758543396 * t7 + 0.05607745977221283 * t8 + 0.1423504748063864 * control_2;
+            profile[5 * 8 + j] = 7.379129755873375 * t10 + t11; /* profile(2,1) */
+            const real control_5 = p[13 * 8 + j];
+            const real t12 = control_1 + control_5;
+            const real t13 = control_2 + control_4;
+            const real t14 = 0.007698996104260723 * t12 + 0.20017389871077879 * t13 + 0.5081337428812077 * control_3;
+            const real t15 = 0.041666666666666664 * (control_5 - control_1) + 0.4166666666666667 * (control_4
+                - control_2);
+            profile[6 * 8 + j] = t14 - 2.923486075213298 * t15; /* profile(3,0) */
+            const real t16 = 0.0031890286030424146 * t12 + 0.08291474367910279 * t13 + 0.21047588780079937
+                * control_3;
+            profile[7 * 8 + j] = 7.057919732188834 * t15 + t16; /* profile(3,1) */
+            const real control_6 = p[14 * 8 + j];
+            const real t17 = control_2 + control_6;
+            const real t18 = control_3 + control_5;
+            const real t19 = 0.007216878364870322 * t17 + 0.18763883748662838 * t18 + 0.4763139720814413 * control_4;
+            const real t20 = 0.041666666666666664 * (control_6 - control_2) + 0.4166666666666667 * (control_5
+                - control_3);
+            profile[8 * 8 + j] = t19 - 3.819718634205488 * t20; /* profile(4,0) */
+            const real t21 = 0.004166666666666667 * t17 + 0.10833333333333334 * t18 + 0.275 * control_4;
+            profile[9 * 8 + j] = 6.615946745061504 * t20 + t21; /* profile(4,1) */
+            const real control_7 = p[15 * 8 + j];
+            const real t22 = control_3 + control_7;
+            const real t23 = control_4 + control_6;
+            const real t24 = 0.006611277835760293 * t22 + 0.17189322372976762 * t23 + 0.43634433716017934 * control_5;
+            const real t25 = 0.041666666666666664 * (control_7 - control_3) + 0.4166666666666667 * (control_6
+                - control_4);
+            profile[10 * 8 + j] = t24 - 4.650594748340343 * t25; /* profile(5,0) */
+            const real t26 = 0.0050730119084060055 * t22 + 0.13189830961855614 * t23 + 0.33481878595479636
+                * control_5;
+            profile[11 * 8 + j] = 6.060773074839197 * t25 + t26; /* profile(5,1) */
+            const real control_8 = p[16 * 8 + j];
+            const real t27 = 0.005892556509887896 * (control_4 + control_8) + 0.1532064692570853 * (control_5
+                + control_7);
+            const real t28 = 0.38890872965260115 * control_6 + t27;
+            const real t29 = 0.041666666666666664 * (control_8 - control_4) + 0.4166666666666667 * (control_7
+                - control_5);
+            const real t30 = 5.401897896942637 * t29;
+            profile[12 * 8 + j] = t28 - t30; /* profile(6,0) */
+            profile[13 * 8 + j] = t30 + t28; /* profile(6,1) */
+            const real control_9 = p[17 * 8 + j];
+            const real t31 = control_5 + control_9;
+            const real t32 = control_6 + control_8;
+            const real t33 = 0.0050730119084060055 * t31 + 0.13189830961855614 * t32 + 0.33481878595479636
+                * control_7;
+            const real t34 = 0.041666666666666664 * (control_9 - control_5) + 0.4166666666666667 * (control_8
+                - control_6);
+            profile[14 * 8 + j] = t33 - 6.060773074839197 * t34; /* profile(7,0) */
+            const real t35 = 0.006611277835760293 * t31 + 0.17189322372976762 * t32 + 0.43634433716017934 * control_7;
+            profile[15 * 8 + j] = 4.650594748340343 * t34 + t35; /* profile(7,1) */
+            const real control_10 = p[18 * 8 + j];
+            const real t36 = control_6 + control_10;
+            const real t37 = control_7 + control_9;
+            const real t38 = 0.004166666666666667 * t36 + 0.10833333333333334 * t37 + 0.275 * control_8;
+            const real t39 = 0.041666666666666664 * (control_10 - control_6) + 0.4166666666666667 * (control_9
+                - control_7);
+            profile[16 * 8 + j] = t38 - 6.615946745061504 * t39; /* profile(8,0) */
+            const real t40 = 0.007216878364870322 * t36 + 0.18763883748662838 * t37 + 0.4763139720814413 * control_8;
+            profile[17 * 8 + j] = 3.819718634205488 * t39 + t40; /* profile(8,1) */
+            const real t41 = control_8 + control_10;
+            const real control_11 = p[19 * 8 + j];
+            const real t42 = control_7 + control_11;
+            const real t43 = 0.08291474367910279 * t41 + 0.0031890286030424146 * t42 + 0.21047588780079937
+                * control_9;
+            const real t44 = 0.4166666666666667 * (control_10 - control_8) + 0.041666666666666664 * (control_11
+                - control_7);
+            profile[18 * 8 + j] = t43 - 7.057919732188834 * t44; /* profile(9,0) */
+            const real t45 = 0.20017389871077879 * t41 + 0.007698996104260723 * t42 + 0.5081337428812077 * control_9;
+            profile[19 * 8 + j] = 2.923486075213298 * t44 + t45; /* profile(9,1) */
+            const real control_12 = p[20 * 8 + j];
+            const real t46 = control_8 + control_12;
+            const real t47 = control_9 + control_11;
+            const real t48 = 0.1423504748063864 * control_10 + 0.05607745977221283 * t47;
+            const real t49 = 0.4166666666666667 * (control_11 - control_9) + 0.041666666666666664 * (control_12
+                - control_8);
+            profile[20 * 8 + j] = 0.0021568253758543396 * t46 + t48 - 7.379129755873375 * t49; /* profile(10,0) */
+            const real t50 = 0.5312592044589876 * control_10 + 0.20928392902929813 * t47;
+            profile[21 * 8 + j] = 0.008049381885742236 * t46 + t50 + 1.9772318589307385 * t49; /* profile(10,1) */
+            const real control_13 = p[21 * 8 + j];
+            const real t51 = control_9 + control_13;
+            const real t52 = control_10 + control_12;
+            const real t53 = 0.07178940572102838 * control_11 + 0.028280674981011177 * t52;
+            const real t54 = 0.4166666666666667 * (control_12 - control_10) + 0.041666666666666664 * (control_13
+                - control_9);
+            profile[22 * 8 + j] = 0.00108771826850043 * t51 + t53 - 7.574080823553641 * t54; /* profile(11,0) */
+            const real t55 = 0.5452946737555957 * control_11 + 0.21481305329765893 * t52;
+            profile[23 * 8 + j] = 0.00826204051144842 * t51 + t55 + 0.9971466573496369 * t54; /* profile(11,1) */
+            const real control_14 = p[22 * 8 + j];
+            const real t56 = 0.041666666666666664 * (control_14 - control_10) + 0.4166666666666667 * (control_13
+                - control_11);
+            profile[24 * 8 + j] = -(7.639437268410976 * t56); /* profile(12,0) */
+            const real t57 = 0.008333333333333333 * (control_10 + control_14) + 0.21666666666666667 * (control_11
+                + control_13);
+            profile[25 * 8 + j] = 0.55 * control_12 + t57; /* profile(12,1) */
+            const real control_15 = p[23 * 8 + j];
+            const real t58 = 0.041666666666666664 * (control_15 - control_11) + 0.4166666666666667 * (control_14
+                - control_12);
+            const real t59 = control_11 + control_15;
+            const real t60 = control_12 + control_14;
+            const real t61 = 0.00108771826850043 * t59 + 0.028280674981011177 * t60 + 0.07178940572102838
+                * control_13;
+            profile[26 * 8 + j] = -(7.574080823553641 * t58 + t61); /* profile(13,0) */
+            const real t62 = 0.00826204051144842 * t59 + 0.21481305329765893 * t60 + 0.5452946737555957 * control_13;
+            profile[27 * 8 + j] = t62 - 0.9971466573496369 * t58; /* profile(13,1) */
+            const real control_16 = p[24 * 8 + j];
+            const real t63 = 0.041666666666666664 * (control_16 - control_12) + 0.4166666666666667 * (control_15
+                - control_13);
+            const real t64 = control_12 + control_16;
+            const real t65 = control_13 + control_15;
+            const real t66 = 0.0021568253758543396 * t64 + 0.05607745977221283 * t65 + 0.1423504748063864
+                * control_14;
+            profile[28 * 8 + j] = -(7.379129755873375 * t63 + t66); /* profile(14,0) */
+            const real t67 = 0.008049381885742236 * t64 + 0.20928392902929813 * t65 + 0.5312592044589876 * control_14;
+            profile[29 * 8 + j] = t67 - 1.9772318589307385 * t63; /* profile(14,1) */
+            const real control_17 = p[25 * 8 + j];
+            const real t68 = 0.041666666666666664 * (control_17 - control_13) + 0.4166666666666667 * (control_16
+                - control_14);
+            const real t69 = control_13 + control_17;
+            const real t70 = control_14 + control_16;
+            const real t71 = 0.0031890286030424146 * t69 + 0.08291474367910279 * t70 + 0.21047588780079937
+                * control_15;
+            profile[30 * 8 + j] = -(7.057919732188834 * t68 + t71); /* profile(15,0) */
+            const real t72 = 0.007698996104260723 * t69 + 0.20017389871077879 * t70 + 0.5081337428812077 * control_15;
+            profile[31 * 8 + j] = t72 - 2.923486075213298 * t68; /* profile(15,1) */
+            const real control_18 = p[26 * 8 + j];
+            const real t73 = 0.041666666666666664 * (control_18 - control_14) + 0.4166666666666667 * (control_17
+                - control_15);
+            const real t74 = control_14 + control_18;
+            const real t75 = control_15 + control_17;
+            const real t76 = 0.004166666666666667 * t74 + 0.10833333333333334 * t75 + 0.275 * control_16;
+            profile[32 * 8 + j] = -(6.615946745061504 * t73 + t76); /* profile(16,0) */
+            const real t77 = 0.007216878364870322 * t74 + 0.18763883748662838 * t75 + 0.4763139720814413 * control_16;
+            profile[33 * 8 + j] = t77 - 3.819718634205488 * t73; /* profile(16,1) */
+            const real control_19 = p[27 * 8 + j];
+            const real t78 = 0.041666666666666664 * (control_19 - control_15) + 0.4166666666666667 * (control_18
+                - control_16);
+            const real t79 = control_15 + control_19;
+            const real t80 = control_16 + control_18;
+            const real t81 = 0.0050730119084060055 * t79 + 0.13189830961855614 * t80 + 0.33481878595479636
+                * control_17;
+            profile[34 * 8 + j] = -(6.060773074839197 * t78 + t81); /* profile(17,0) */
+            const real t82 = 0.006611277835760293 * t79 + 0.17189322372976762 * t80 + 0.43634433716017934
+                * control_17;
+            profile[35 * 8 + j] = t82 - 4.650594748340343 * t78; /* profile(17,1) */
+            const real control_20 = p[28 * 8 + j];
+            const real t83 = 0.041666666666666664 * (control_20 - control_16) + 0.4166666666666667 * (control_19
+                - control_17);
+            const real t84 = 5.401897896942637 * t83;
+            const real t85 = 0.005892556509887896 * (control_16 + control_20) + 0.1532064692570853 * (control_17
+                + control_19);
+            const real t86 = 0.38890872965260115 * control_18 + t85;
+            profile[36 * 8 + j] = -(t84 + t86); /* profile(18,0) */
+            profile[37 * 8 + j] = t86 - t84; /* profile(18,1) */
+            const real control_21 = p[29 * 8 + j];
+            const real t87 = 0.041666666666666664 * (control_21 - control_17) + 0.4166666666666667 * (control_20
+                - control_18);
+            const real t88 = control_17 + control_21;
+            const real t89 = control_18 + control_20;
+            const real t90 = 0.006611277835760293 * t88 + 0.17189322372976762 * t89 + 0.43634433716017934
+                * control_19;
+            profile[38 * 8 + j] = -(4.650594748340343 * t87 + t90); /* profile(19,0) */
+            const real t91 = 0.0050730119084060055 * t88 + 0.13189830961855614 * t89 + 0.33481878595479636
+                * control_19;
+            profile[39 * 8 + j] = t91 - 6.060773074839197 * t87; /* profile(19,1) */
+            const real control_22 = p[30 * 8 + j];
+            const real t92 = 0.041666666666666664 * (control_22 - control_18) + 0.4166666666666667 * (control_21
+                - control_19);
+            const real t93 = control_18 + control_22;
+            const real t94 = control_19 + control_21;
+            const real t95 = 0.007216878364870322 * t93 + 0.18763883748662838 * t94 + 0.4763139720814413 * control_20;
+            profile[40 * 8 + j] = -(3.819718634205488 * t92 + t95); /* profile(20,0) */
+            const real t96 = 0.004166666666666667 * t93 + 0.10833333333333334 * t94 + 0.275 * control_20;
+            profile[41 * 8 + j] = t96 - 6.615946745061504 * t92; /* profile(20,1) */
+            const real control_23 = p[31 * 8 + j];
+            const real t97 = 0.041666666666666664 * (control_23 - control_19) + 0.4166666666666667 * (control_22
+                - control_20);
+            const real t98 = control_19 + control_23;
+            const real t99 = control_20 + control_22;
+            const real t100 = 0.007698996104260723 * t98 + 0.20017389871077879 * t99 + 0.5081337428812077
+                * control_21;
+            profile[42 * 8 + j] = -(2.923486075213298 * t97 + t100); /* profile(21,0) */
+            const real t101 = 0.0031890286030424146 * t98 + 0.08291474367910279 * t99 + 0.21047588780079937
+                * control_21;
+            profile[43 * 8 + j] = t101 - 7.057919732188834 * t97; /* profile(21,1) */
+            const real control_24 = p[32 * 8 + j];
+            const real t102 = 0.041666666666666664 * (control_24 - control_20) + 0.4166666666666667 * (control_23
+                - control_21);
+            const real t103 = control_20 + control_24;
+            const real t104 = control_21 + control_23;
+            const real t105 = 0.008049381885742236 * t103 + 0.20928392902929813 * t104 + 0.5312592044589876
+                * control_22;
+            profile[44 * 8 + j] = -(1.9772318589307385 * t102 + t105); /* profile(22,0) */
+            const real t106 = 0.0021568253758543396 * t103 + 0.05607745977221283 * t104;
+            profile[45 * 8 + j] = 0.1423504748063864 * control_22 + t106 - 7.379129755873375 * t102;
+                /* profile(22,1) */
+            const real control_25 = p[33 * 8 + j];
+            const real t107 = 0.041666666666666664 * (control_25 - control_21) + 0.4166666666666667 * (control_24
+                - control_22);
+            const real t108 = control_21 + control_25;
+            const real t109 = control_22 + control_24;
+            const real t110 = 0.00826204051144842 * t108 + 0.21481305329765893 * t109 + 0.5452946737555957
+                * control_23;
+            profile[46 * 8 + j] = -(0.9971466573496369 * t107 + t110); /* profile(23,0) */
+            const real t111 = 0.00108771826850043 * t108 + 0.028280674981011177 * t109 + 0.07178940572102838
+                * control_23;
+            profile[47 * 8 + j] = t111 - 7.574080823553641 * t107; /* profile(23,1) */
+            const real control_26 = p[34 * 8 + j];
+            const real t112 = 0.008333333333333333 * (control_22 + control_26) + 0.21666666666666667 * (control_23
+                + control_25);
+            profile[48 * 8 + j] = -(0.55 * control_24 + t112); /* profile(24,0) */
+            const real t113 = 0.041666666666666664 * (control_26 - control_22) + 0.4166666666666667 * (control_25
+                - control_23);
+            profile[49 * 8 + j] = -(7.639437268410976 * t113); /* profile(24,1) */
+            const real control_27 = p[35 * 8 + j];
+            const real t114 = 0.041666666666666664 * (control_27 - control_23) + 0.4166666666666667 * (control_26
+                - control_24);
+            const real t115 = control_23 + control_27;
+            const real t116 = control_24 + control_26;
+            const real t117 = 0.9971466573496369 * t114 - 0.00826204051144842 * t115 - 0.21481305329765893 * t116;
+            profile[50 * 8 + j] = t117 - 0.5452946737555957 * control_25; /* profile(25,0) */
+            const real t118 = 0.00108771826850043 * t115 + 0.028280674981011177 * t116 + 0.07178940572102838
+                * control_25;
+            profile[51 * 8 + j] = -(7.574080823553641 * t114 + t118); /* profile(25,1) */
+            const real control_28 = p[36 * 8 + j];
+            const real t119 = 0.041666666666666664 * (control_28 - control_24) + 0.4166666666666667 * (control_27
+                - control_25);
+            const real t120 = control_24 + control_28;
+            const real t121 = control_25 + control_27;
+            const real t122 = 1.9772318589307385 * t119 - 0.008049381885742236 * t120 - 0.20928392902929813 * t121;
+            profile[52 * 8 + j] = t122 - 0.5312592044589876 * control_26; /* profile(26,0) */
+            const real t123 = 0.0021568253758543396 * t120 + 0.05607745977221283 * t121;
+            const real t124 = 0.1423504748063864 * control_26 + t123 + 7.379129755873375 * t119;
+            profile[53 * 8 + j] = -t124; /* profile(26,1) */
+            const real control_29 = p[37 * 8 + j];
+            const real t125 = 0.041666666666666664 * (control_29 - control_25) + 0.4166666666666667 * (control_28
+                - control_26);
+            const real t126 = control_25 + control_29;
+            const real t127 = control_26 + control_28;
+            const real t128 = 2.923486075213298 * t125 - 0.007698996104260723 * t126 - 0.20017389871077879 * t127;
+            profile[54 * 8 + j] = t128 - 0.5081337428812077 * control_27; /* profile(27,0) */
+            const real t129 = 0.0031890286030424146 * t126 + 0.08291474367910279 * t127;
+            const real t130 = 0.21047588780079937 * control_27 + t129 + 7.057919732188834 * t125;
+            profile[55 * 8 + j] = -t130; /* profile(27,1) */
+            const real control_30 = p[38 * 8 + j];
+            const real t131 = 0.041666666666666664 * (control_30 - control_26) + 0.4166666666666667 * (control_29
+                - control_27);
+            const real t132 = control_26 + control_30;
+            const real t133 = control_27 + control_29;
+            const real t134 = 3.819718634205488 * t131 - 0.007216878364870322 * t132 - 0.18763883748662838 * t133;
+            profile[56 * 8 + j] = t134 - 0.4763139720814413 * control_28; /* profile(28,0) */
+            const real t135 = 0.004166666666666667 * t132 + 0.10833333333333334 * t133 + 0.275 * control_28;
+            profile[57 * 8 + j] = -(6.615946745061504 * t131 + t135); /* profile(28,1) */
+            const real control_31 = p[39 * 8 + j];
+            const real t136 = 0.041666666666666664 * (control_31 - control_27) + 0.4166666666666667 * (control_30
+                - control_28);
+            const real t137 = control_27 + control_31;
+            const real t138 = control_28 + control_30;
+            const real t139 = 4.650594748340343 * t136 - 0.006611277835760293 * t137 - 0.17189322372976762 * t138;
+            profile[58 * 8 + j] = t139 - 0.43634433716017934 * control_29; /* profile(29,0) */
+            const real t140 = 0.0050730119084060055 * t137 + 0.13189830961855614 * t138;
+            const real t141 = 0.33481878595479636 * control_29 + t140 + 6.060773074839197 * t136;
+            profile[59 * 8 + j] = -t141; /* profile(29,1) */
+            const real control_32 = p[40 * 8 + j];
+            const real t142 = 0.041666666666666664 * (control_32 - control_28) + 0.4166666666666667 * (control_31
+                - control_29);
+            const real t143 = 5.401897896942637 * t142;
+            const real t144 = 0.005892556509887896 * (control_28 + control_32);
+            const real t145 = 0.1532064692570853 * (control_29 + control_31);
+            const real t146 = 0.38890872965260115 * control_30;
+            profile[60 * 8 + j] = t143 - t144 - t145 - t146; /* profile(30,0) */
+            profile[61 * 8 + j] = -(t144 + t145 + t146 + t143); /* profile(30,1) */
+            const real control_33 = p[41 * 8 + j];
+            const real t147 = 0.041666666666666664 * (control_33 - control_29) + 0.4166666666666667 * (control_32
+                - control_30);
+            const real t148 = control_29 + control_33;
+            const real t149 = control_30 + control_32;
+            const real t150 = 6.060773074839197 * t147 - 0.0050730119084060055 * t148 - 0.13189830961855614 * t149;
+            profile[62 * 8 + j] = t150 - 0.33481878595479636 * control_31; /* profile(31,0) */
+            const real t151 = 0.006611277835760293 * t148 + 0.17189322372976762 * t149 + 0.43634433716017934
+                * control_31;
+            profile[63 * 8 + j] = -(4.650594748340343 * t147 + t151); /* profile(31,1) */
+            const real control_34 = p[42 * 8 + j];
+            const real t152 = 0.041666666666666664 * (control_34 - control_30) + 0.4166666666666667 * (control_33
+                - control_31);
+            const real t153 = control_30 + control_34;
+            const real t154 = control_31 + control_33;
+            const real t155 = 6.615946745061504 * t152 - 0.004166666666666667 * t153 - 0.10833333333333334 * t154;
+            profile[64 * 8 + j] = t155 - 0.275 * control_32; /* profile(32,0) */
+            const real t156 = 0.007216878364870322 * t153 + 0.18763883748662838 * t154 + 0.4763139720814413
+                * control_32;
+            profile[65 * 8 + j] = -(3.819718634205488 * t152 + t156); /* profile(32,1) */
+            const real control_35 = p[43 * 8 + j];
+            const real t157 = 0.041666666666666664 * (control_35 - control_31) + 0.4166666666666667 * (control_34
+                - control_32);
+            const real t158 = control_31 + control_35;
+            const real t159 = control_32 + control_34;
+            const real t160 = 7.057919732188834 * t157 - 0.0031890286030424146 * t158 - 0.08291474367910279 * t159;
+            profile[66 * 8 + j] = t160 - 0.21047588780079937 * control_33; /* profile(33,0) */
+            const real t161 = 0.007698996104260723 * t158 + 0.20017389871077879 * t159 + 0.5081337428812077
+                * control_33;
+            profile[67 * 8 + j] = -(2.923486075213298 * t157 + t161); /* profile(33,1) */
+            const real control_36 = p[44 * 8 + j];
+            const real t162 = 0.041666666666666664 * (control_36 - control_32) + 0.4166666666666667 * (control_35
+                - control_33);
+            const real t163 = control_32 + control_36;
+            const real t164 = control_33 + control_35;
+            const real t165 = 7.379129755873375 * t162 - 0.0021568253758543396 * t163 - 0.05607745977221283 * t164;
+            profile[68 * 8 + j] = t165 - 0.1423504748063864 * control_34; /* profile(34,0) */
+            const real t166 = 0.008049381885742236 * t163 + 0.20928392902929813 * t164 + 0.5312592044589876
+                * control_34;
+            profile[69 * 8 + j] = -(1.9772318589307385 * t162 + t166); /* profile(34,1) */
+            const real control_37 = p[45 * 8 + j];
+            const real t167 = 0.041666666666666664 * (control_37 - control_33) + 0.4166666666666667 * (control_36
+                - control_34);
+            const real t168 = control_33 + control_37;
+            const real t169 = control_34 + control_36;
+            const real t170 = 7.574080823553641 * t167 - 0.00108771826850043 * t168 - 0.028280674981011177 * t169;
+            profile[70 * 8 + j] = t170 - 0.07178940572102838 * control_35; /* profile(35,0) */
+            const real t171 = 0.00826204051144842 * t168 + 0.21481305329765893 * t169 + 0.5452946737555957
+                * control_35;
+            profile[71 * 8 + j] = -(0.9971466573496369 * t167 + t171); /* profile(35,1) */
+            const real control_38 = p[46 * 8 + j];
+            const real t172 = 0.041666666666666664 * (control_38 - control_34) + 0.4166666666666667 * (control_37
+                - control_35);
+            profile[72 * 8 + j] = 7.639437268410976 * t172; /* profile(36,0) */
+            const real t173 = 0.008333333333333333 * (control_34 + control_38) + 0.21666666666666667 * (control_35
+                + control_37);
+            profile[73 * 8 + j] = -(0.55 * control_36 + t173); /* profile(36,1) */
+            const real control_39 = p[47 * 8 + j];
+            const real t174 = 0.041666666666666664 * (control_39 - control_35) + 0.4166666666666667 * (control_38
+                - control_36);
+            const real t175 = control_35 + control_39;
+            const real t176 = control_36 + control_38;
+            const real t177 = 0.00108771826850043 * t175 + 0.028280674981011177 * t176 + 0.07178940572102838
+                * control_37;
+            profile[74 * 8 + j] = 7.574080823553641 * t174 + t177; /* profile(37,0) */
+            const real t178 = 0.9971466573496369 * t174 - 0.00826204051144842 * t175 - 0.21481305329765893 * t176;
+            profile[75 * 8 + j] = t178 - 0.5452946737555957 * control_37; /* profile(37,1) */
+            const real control_40 = p[48 * 8 + j];
+            const real t179 = 0.041666666666666664 * (control_40 - control_36) + 0.4166666666666667 * (control_39
+                - control_37);
+            const real t180 = control_36 + control_40;
+            const real t181 = control_37 + control_39;
+            const real t182 = 0.0021568253758543396 * t180 + 0.05607745977221283 * t181;
+            profile[76 * 8 + j] = 0.1423504748063864 * control_38 + t182 + 7.379129755873375 * t179;
+                /* profile(38,0) */
+            const real t183 = 1.9772318589307385 * t179 - 0.008049381885742236 * t180 - 0.20928392902929813 * t181;
+            profile[77 * 8 + j] = t183 - 0.5312592044589876 * control_38; /* profile(38,1) */
+            const real control_41 = p[49 * 8 + j];
+            const real t184 = 0.041666666666666664 * (control_41 - control_37) + 0.4166666666666667 * (control_40
+                - control_38);
+            const real t185 = control_37 + control_41;
+            const real t186 = control_38 + control_40;
+            const real t187 = 0.0031890286030424146 * t185 + 0.08291474367910279 * t186;
+            profile[78 * 8 + j] = 0.21047588780079937 * control_39 + t187 + 7.057919732188834 * t184;
+                /* profile(39,0) */
+            const real t188 = 2.923486075213298 * t184 - 0.007698996104260723 * t185 - 0.20017389871077879 * t186;
+            profile[79 * 8 + j] = t188 - 0.5081337428812077 * control_39; /* profile(39,1) */
+            const real control_42 = p[50 * 8 + j];
+            const real t189 = 0.041666666666666664 * (control_42 - control_38) + 0.4166666666666667 * (control_41
+                - control_39);
+            const real t190 = control_38 + control_42;
+            const real t191 = control_39 + control_41;
+            const real t192 = 0.004166666666666667 * t190 + 0.10833333333333334 * t191 + 0.275 * control_40;
+            profile[80 * 8 + j] = 6.615946745061504 * t189 + t192; /* profile(40,0) */
+            const real t193 = 3.819718634205488 * t189 - 0.007216878364870322 * t190 - 0.18763883748662838 * t191;
+            profile[81 * 8 + j] = t193 - 0.4763139720814413 * control_40; /* profile(40,1) */
+            const real control_43 = p[51 * 8 + j];
+            const real t194 = 0.041666666666666664 * (control_43 - control_39) + 0.4166666666666667 * (control_42
+                - control_40);
+            const real t195 = control_39 + control_43;
+            const real t196 = control_40 + control_42;
+            const real t197 = 0.0050730119084060055 * t195 + 0.13189830961855614 * t196;
+            profile[82 * 8 + j] = 0.33481878595479636 * control_41 + t197 + 6.060773074839197 * t194;
+                /* profile(41,0) */
+            const real t198 = 4.650594748340343 * t194 - 0.006611277835760293 * t195 - 0.17189322372976762 * t196;
+            profile[83 * 8 + j] = t198 - 0.43634433716017934 * control_41; /* profile(41,1) */
+            const real control_44 = p[52 * 8 + j];
+            const real t199 = 0.041666666666666664 * (control_44 - control_40) + 0.4166666666666667 * (control_43
+                - control_41);
+            const real t200 = 5.401897896942637 * t199;
+            const real t201 = 0.38890872965260115 * control_42;
+            const real t202 = 0.005892556509887896 * (control_40 + control_44);
+            const real t203 = 0.1532064692570853 * (control_41 + control_43);
+            profile[84 * 8 + j] = t202 + t203 + t201 + t200; /* profile(42,0) */
+            profile[85 * 8 + j] = t200 - t202 - t203 - t201; /* profile(42,1) */
+            const real control_45 = p[53 * 8 + j];
+            const real t204 = 0.041666666666666664 * (control_45 - control_41) + 0.4166666666666667 * (control_44
+                - control_42);
+            const real t205 = control_41 + control_45;
+            const real t206 = control_42 + control_44;
+            const real t207 = 0.006611277835760293 * t205 + 0.17189322372976762 * t206 + 0.43634433716017934
+                * control_43;
+            profile[86 * 8 + j] = 4.650594748340343 * t204 + t207; /* profile(43,0) */
+            const real t208 = 6.060773074839197 * t204 - 0.0050730119084060055 * t205 - 0.13189830961855614 * t206;
+            profile[87 * 8 + j] = t208 - 0.33481878595479636 * control_43; /* profile(43,1) */
+            const real t209 = 0.041666666666666664 * (control_46 - control_42) + 0.4166666666666667 * (control_45
+                - control_43);
+            const real t210 = control_42 + control_46;
+            const real t211 = control_43 + control_45;
+            const real t212 = 0.007216878364870322 * t210 + 0.18763883748662838 * t211 + 0.4763139720814413
+                * control_44;
+            profile[88 * 8 + j] = 3.819718634205488 * t209 + t212; /* profile(44,0) */
+            const real t213 = 6.615946745061504 * t209 - 0.004166666666666667 * t210 - 0.10833333333333334 * t211;
+            profile[89 * 8 + j] = t213 - 0.275 * control_44; /* profile(44,1) */
+            const real t214 = 0.041666666666666664 * (control_47 - control_43) + 0.4166666666666667 * (control_46
+                - control_44);
+            const real t215 = control_43 + control_47;
+            const real t216 = control_44 + control_46;
+            const real t217 = 0.007698996104260723 * t215 + 0.20017389871077879 * t216 + 0.5081337428812077
+                * control_45;
+            profile[90 * 8 + j] = 2.923486075213298 * t214 + t217; /* profile(45,0) */
+            const real t218 = 7.057919732188834 * t214 - 0.0031890286030424146 * t215 - 0.08291474367910279 * t216;
+            profile[91 * 8 + j] = t218 - 0.21047588780079937 * control_45; /* profile(45,1) */
+            const real t219 = 0.041666666666666664 * (control_0 - control_44) + 0.4166666666666667 * (control_47
+                - control_45);
+            const real t220 = control_0 + control_44;
+            const real t221 = control_45 + control_47;
+            const real t222 = 0.008049381885742236 * t220 + 0.20928392902929813 * t221 + 0.5312592044589876
+                * control_46;
+            profile[92 * 8 + j] = 1.9772318589307385 * t219 + t222; /* profile(46,0) */
+            const real t223 = 7.379129755873375 * t219 - 0.0021568253758543396 * t220 - 0.05607745977221283 * t221;
+            profile[93 * 8 + j] = t223 - 0.1423504748063864 * control_46; /* profile(46,1) */
+            const real t224 = 0.4166666666666667 * (control_0 - control_46) + 0.041666666666666664 * (control_1
+                - control_45);
+            const real t225 = control_0 + control_46;
+            const real t226 = control_1 + control_45;
+            const real t227 = 0.21481305329765893 * t225 + 0.00826204051144842 * t226 + 0.5452946737555957
+                * control_47;
+            profile[94 * 8 + j] = 0.9971466573496369 * t224 + t227; /* profile(47,0) */
+            const real t228 = 7.574080823553641 * t224 - 0.028280674981011177 * t225 - 0.00108771826850043 * t226;
+            profile[95 * 8 + j] = t228 - 0.07178940572102838 * control_47; /* profile(47,1) */
+            const real t229 = real_max(7.639437268410976 * real_abs(t10), 7.639437268410976 * real_abs(t219));
+            const real t230 = real_max(7.639437268410976 * real_abs(t5), real_max(7.639437268410976 * real_abs(t224),
+                t229));
+            const real t231 = real_max(7.639437268410976 * real_abs(t1), real_max(7.639437268410976 * real_abs(t15),
+                t230));
+            const real t232 = real_max(7.639437268410976 * real_abs(t39), real_max(7.639437268410976 * real_abs(t56),
+                t231));
+            const real t233 = real_max(7.639437268410976 * real_abs(t54), real_max(7.639437268410976 * real_abs(t44),
+                t232));
+            const real t234 = real_max(7.639437268410976 * real_abs(t49), real_max(7.639437268410976 * real_abs(t58),
+                t233));
+            const real t235 = real_max(7.639437268410976 * real_abs(t68), real_max(7.639437268410976 * real_abs(t63),
+                t234));
+            const real t236 = real_max(7.639437268410976 * real_abs(t78), real_max(7.639437268410976 * real_abs(t73),
+                t235));
+            const real t237 = real_max(7.639437268410976 * real_abs(t87), real_max(7.639437268410976 * real_abs(t83),
+                t236));
+            const real t238 = real_max(7.639437268410976 * real_abs(t97), real_max(7.639437268410976 * real_abs(t92),
+                t237));
+            const real t239 = real_max(7.639437268410976 * real_abs(t102), real_max(7.639437268410976 * real_abs(t20),
+                t238));
+            const real t240 = real_max(7.639437268410976 * real_abs(t113), real_max(7.639437268410976
+                * real_abs(t107), t239));
+            const real t241 = real_max(7.639437268410976 * real_abs(t119), real_max(7.639437268410976
+                * real_abs(t114), t240));
+            const real t242 = real_max(7.639437268410976 * real_abs(t131), real_max(7.639437268410976
+                * real_abs(t125), t241));
+            const real t243 = real_max(7.639437268410976 * real_abs(t142), real_max(7.639437268410976
+                * real_abs(t136), t242));
+            const real t244 = real_max(7.639437268410976 * real_abs(t25), real_max(7.639437268410976 * real_abs(t147),
+                t243));
+            const real t245 = real_max(7.639437268410976 * real_abs(t157), real_max(7.639437268410976
+                * real_abs(t152), t244));
+            const real t246 = real_max(7.639437268410976 * real_abs(t167), real_max(7.639437268410976
+                * real_abs(t162), t245));
+            const real t247 = real_max(7.639437268410976 * real_abs(t174), real_max(7.639437268410976
+                * real_abs(t172), t246));
+            const real t248 = real_max(7.639437268410976 * real_abs(t184), real_max(7.639437268410976
+                * real_abs(t179), t247));
+            const real t249 = real_max(7.639437268410976 * real_abs(t194), real_max(7.639437268410976
+                * real_abs(t189), t248));
+            const real t250 = real_max(7.639437268410976 * real_abs(t199), real_max(7.639437268410976 * real_abs(t29),
+                t249));
+            const real t251 = real_max(7.639437268410976 * real_abs(t209), real_max(7.639437268410976
+                * real_abs(t204), t250));
+            const real t252 = real_max(7.639437268410976 * real_abs(t34), real_max(7.639437268410976 * real_abs(t214),
+                t251));
+            const real t253 = 1.2 * t252;
+            face[1 * 8 + j] = t253; /* face(1,1) */
+            face[0 * 8 + j] = -t253; /* face(0,1) */
+            const real p_x = x[0 * 8 + j];
+            origin_p[0 * 8 + j] = p_x;
+            const real p_y = x[1 * 8 + j];
+            origin_p[1 * 8 + j] = p_y;
+            const real p_z = x[2 * 8 + j];
+            origin_p[2 * 8 + j] = p_z;
+            const real rp_l0 = x[3 * 8 + j];
+            const real tp_0 = p[0 * 8 + j];
+            const real rp_l1 = x[4 * 8 + j];
+            const real tp_1 = p[1 * 8 + j];
+            const real rp_l2 = x[5 * 8 + j];
+            const real tp_2 = p[2 * 8 + j];
+            const real rp_l3 = x[6 * 8 + j];
+            const real tp_3 = p[3 * 8 + j];
+            const real u_p_0 = rp_l0 * tp_0 - rp_l1 * tp_1 - rp_l2 * tp_2 - rp_l3 * tp_3;
+            const real t254 = u_p_0 * u_p_0;
+            const real u_p_1 = rp_l0 * tp_1 + rp_l1 * tp_0 + rp_l2 * tp_3 - rp_l3 * tp_2;
+            const real t255 = u_p_1 * u_p_1;
+            const real u_p_2 = rp_l0 * tp_2 + rp_l2 * tp_0 + rp_l3 * tp_1 - rp_l1 * tp_3;
+            const real t256 = u_p_2 * u_p_2;
+            const real u_p_3 = rp_l0 * tp_3 + rp_l1 * tp_2 + rp_l3 * tp_0 - rp_l2 * tp_1;
+            const real t257 = u_p_3 * u_p_3;
+            const real ex_p_x = t254 + t255 - t256 - t257;
+            axes_p[0 * 8 + j] = ex_p_x; /* axes_p(0,0) */
+            const real t258 = u_p_0 * u_p_3;
+            const real t259 = u_p_1 * u_p_2;
+            const real ex_p_y = 2.0 * (t258 + t259);
+            axes_p[1 * 8 + j] = ex_p_y; /* axes_p(0,1) */
+            const real t260 = u_p_1 * u_p_3;
+            const real t261 = u_p_0 * u_p_2;
+            const real ex_p_z = 2.0 * (t260 - t261);
+            axes_p[2 * 8 + j] = ex_p_z; /* axes_p(0,2) */
+            const real ey_p_x = 2.0 * (t259 - t258);
+            axes_p[3 * 8 + j] = ey_p_x; /* axes_p(1,0) */
+            const real ey_p_y = t254 + t256 - t255 - t257;
+            axes_p[4 * 8 + j] = ey_p_y; /* axes_p(1,1) */
+            const real t262 = u_p_0 * u_p_1;
+            const real t263 = u_p_2 * u_p_3;
+            const real ey_p_z = 2.0 * (t262 + t263);
+            axes_p[5 * 8 + j] = ey_p_z; /* axes_p(1,2) */
+            const real ez_p_x = 2.0 * (t261 + t260);
+            axes_p[6 * 8 + j] = ez_p_x; /* axes_p(2,0) */
+            const real ez_p_y = 2.0 * (t263 - t262);
+            axes_p[7 * 8 + j] = ez_p_y; /* axes_p(2,1) */
+            const real ez_p_z = t254 + t257 - t255 - t256;
+            axes_p[8 * 8 + j] = ez_p_z; /* axes_p(2,2) */
+            const real q_x = x[7 * 8 + j];
+            origin_q[0 * 8 + j] = q_x;
+            const real q_y = x[8 * 8 + j];
+            origin_q[1 * 8 + j] = q_y;
+            const real q_z = x[9 * 8 + j];
+            origin_q[2 * 8 + j] = q_z;
+            const real rq_l0 = x[10 * 8 + j];
+            const real tq_0 = p[4 * 8 + j];
+            const real rq_l1 = x[11 * 8 + j];
+            const real tq_1 = p[5 * 8 + j];
+            const real rq_l2 = x[12 * 8 + j];
+            const real tq_2 = p[6 * 8 + j];
+            const real rq_l3 = x[13 * 8 + j];
+            const real tq_3 = p[7 * 8 + j];
+            const real u_q_0 = rq_l0 * tq_0 - rq_l1 * tq_1 - rq_l2 * tq_2 - rq_l3 * tq_3;
+            const real t264 = u_q_0 * u_q_0;
+            const real u_q_1 = rq_l0 * tq_1 + rq_l1 * tq_0 + rq_l2 * tq_3 - rq_l3 * tq_2;
+            const real t265 = u_q_1 * u_q_1;
+            const real u_q_2 = rq_l0 * tq_2 + rq_l2 * tq_0 + rq_l3 * tq_1 - rq_l1 * tq_3;
+            const real t266 = u_q_2 * u_q_2;
+            const real u_q_3 = rq_l0 * tq_3 + rq_l1 * tq_2 + rq_l3 * tq_0 - rq_l2 * tq_1;
+            const real t267 = u_q_3 * u_q_3;
+            const real ex_q_x = t264 + t265 - t266 - t267;
+            axes_q[0 * 8 + j] = ex_q_x; /* axes_q(0,0) */
+            const real t268 = u_q_0 * u_q_3;
+            const real t269 = u_q_1 * u_q_2;
+            const real ex_q_y = 2.0 * (t268 + t269);
+            axes_q[1 * 8 + j] = ex_q_y; /* axes_q(0,1) */
+            const real t270 = u_q_1 * u_q_3;
+            const real t271 = u_q_0 * u_q_2;
+            const real ex_q_z = 2.0 * (t270 - t271);
+            axes_q[2 * 8 + j] = ex_q_z; /* axes_q(0,2) */
+            const real ey_q_x = 2.0 * (t269 - t268);
+            axes_q[3 * 8 + j] = ey_q_x; /* axes_q(1,0) */
+            const real ey_q_y = t264 + t266 - t265 - t267;
+            axes_q[4 * 8 + j] = ey_q_y; /* axes_q(1,1) */
+            const real t272 = u_q_0 * u_q_1;
+            const real t273 = u_q_2 * u_q_3;
+            const real ey_q_z = 2.0 * (t272 + t273);
+            axes_q[5 * 8 + j] = ey_q_z; /* axes_q(1,2) */
+            const real ez_q_x = 2.0 * (t271 + t270);
+            axes_q[6 * 8 + j] = ez_q_x; /* axes_q(2,0) */
+            const real ez_q_y = 2.0 * (t273 - t272);
+            axes_q[7 * 8 + j] = ez_q_y; /* axes_q(2,1) */
+            const real ez_q_z = t264 + t267 - t265 - t266;
+            axes_q[8 * 8 + j] = ez_q_z; /* axes_q(2,2) */
+        }
+    }
+}
+
 const flexel_element flexel_flat_cam = {
     .name = "flat_cam",
-    .digest = "8e6868f82116424d",
+    .digest = "a75ed7031e8d83a9",
     .n = 14,
     .m = 1,
     .k = 0,
@@ -3113,4 +3742,5 @@ const flexel_element flexel_flat_cam = {
     .rates = flat_cam_rates,
     .kinematics = flat_cam_kinematics,
     .stiffness = flat_cam_stiffness,
+    .outputs = flat_cam_outputs,
 };

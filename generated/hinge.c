@@ -4,6 +4,7 @@
  * c = conj(u_p) o u_q
  * angle = 2 atan2(c1, c0), period 2 pi
  * bend1 = ez_p.ex_q,  bend2 = -ey_p.ex_q
+ * axes: ex_p, ey_p, ez_p in rows
  *
  * Source: van der Werff and Jonker 1984; SPACAR95 manual (Schwab and Meijaard 2000), HINGE
  *
@@ -1038,9 +1039,65 @@ static void hinge_stiffness(size_t nblocks, const real *const *in, real *const *
     }
 }
 
+/* outputs: 59 operations.
+ * in:  x (8), sigma (3), tau (0), p (8)
+ * out: axes (3,3) */
+FLEXEL_CLONES
+static void hinge_outputs(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (8 * 8);
+        const real *restrict p = in[3] + b * (8 * 8);
+        real *restrict axes = out[0] + b * (9 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real p_l0 = x[0 * 8 + j];
+            const real tp_0 = p[0 * 8 + j];
+            const real p_l1 = x[1 * 8 + j];
+            const real tp_1 = p[1 * 8 + j];
+            const real p_l2 = x[2 * 8 + j];
+            const real tp_2 = p[2 * 8 + j];
+            const real p_l3 = x[3 * 8 + j];
+            const real tp_3 = p[3 * 8 + j];
+            const real u_p_0 = p_l0 * tp_0 - p_l1 * tp_1 - p_l2 * tp_2 - p_l3 * tp_3;
+            const real t0 = u_p_0 * u_p_0;
+            const real u_p_1 = p_l0 * tp_1 + p_l1 * tp_0 + p_l2 * tp_3 - p_l3 * tp_2;
+            const real t1 = u_p_1 * u_p_1;
+            const real u_p_2 = p_l0 * tp_2 + p_l2 * tp_0 + p_l3 * tp_1 - p_l1 * tp_3;
+            const real t2 = u_p_2 * u_p_2;
+            const real u_p_3 = p_l0 * tp_3 + p_l1 * tp_2 + p_l3 * tp_0 - p_l2 * tp_1;
+            const real t3 = u_p_3 * u_p_3;
+            const real ex_p_x = t0 + t1 - t2 - t3;
+            axes[0 * 8 + j] = ex_p_x; /* axes(0,0) */
+            const real t4 = u_p_0 * u_p_3;
+            const real t5 = u_p_1 * u_p_2;
+            const real ex_p_y = 2.0 * (t4 + t5);
+            axes[1 * 8 + j] = ex_p_y; /* axes(0,1) */
+            const real t6 = u_p_1 * u_p_3;
+            const real t7 = u_p_0 * u_p_2;
+            const real ex_p_z = 2.0 * (t6 - t7);
+            axes[2 * 8 + j] = ex_p_z; /* axes(0,2) */
+            const real ey_p_x = 2.0 * (t5 - t4);
+            axes[3 * 8 + j] = ey_p_x; /* axes(1,0) */
+            const real ey_p_y = t0 + t2 - t1 - t3;
+            axes[4 * 8 + j] = ey_p_y; /* axes(1,1) */
+            const real t8 = u_p_0 * u_p_1;
+            const real t9 = u_p_2 * u_p_3;
+            const real ey_p_z = 2.0 * (t8 + t9);
+            axes[5 * 8 + j] = ey_p_z; /* axes(1,2) */
+            const real ez_p_x = 2.0 * (t7 + t6);
+            axes[6 * 8 + j] = ez_p_x; /* axes(2,0) */
+            const real ez_p_y = 2.0 * (t9 - t8);
+            axes[7 * 8 + j] = ez_p_y; /* axes(2,1) */
+            const real ez_p_z = t0 + t3 - t1 - t2;
+            axes[8 * 8 + j] = ez_p_z; /* axes(2,2) */
+        }
+    }
+}
+
 const flexel_element flexel_hinge = {
     .name = "hinge",
-    .digest = "ddc66782e222dab5",
+    .digest = "4d8322c15bd8f0fd",
     .n = 8,
     .m = 3,
     .k = 0,
@@ -1050,4 +1107,5 @@ const flexel_element flexel_hinge = {
     .rates = hinge_rates,
     .kinematics = hinge_kinematics,
     .stiffness = hinge_stiffness,
+    .outputs = hinge_outputs,
 };

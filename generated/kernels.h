@@ -29,9 +29,11 @@
  *                                   Psi = dPhi/dt = [D2e(v,v) + De a; (ds/dx) v + V a]
  *   stiffness     x sigma tau p     K (n,n) = d(De'sigma + V'tau)/dx at fixed sigma and tau
  *   tangent       x v a p           R_x (n,n), R_v (n,n): derivatives of M a + h - f
+ *   outputs       x [e] sigma tau p what the element reports beside e, by name: section forces, places that a picture
+ *                                   draws, ...; the arrays are in the head comment, with e if it is read
  *
  * An element without mass and potential has NULL for inertia and tangent; one without deformations and slips has
- * NULL for the others. Angles are principal values.
+ * NULL for the others, and one that reports nothing has NULL for outputs. Angles are principal values.
  *
  * Laws
  *
@@ -127,7 +129,7 @@ typedef void (*flexel_kernel)(size_t nblocks, const real *const *in, real *const
 typedef struct {
     const char *name, *digest;
     int n, m, k, np;
-    flexel_kernel position, acceleration, inertia, rates, kinematics, stiffness, tangent;
+    flexel_kernel position, acceleration, inertia, rates, kinematics, stiffness, tangent, outputs;
 } flexel_element;
 
 typedef struct {
@@ -135,110 +137,6 @@ typedef struct {
     int m, k, nz, np;
     flexel_kernel law, tangent;
 } flexel_law;
-
-extern const flexel_element flexel_point_mass;
-extern const flexel_element flexel_body;
-extern const flexel_element flexel_rotary_inertia;
-extern const flexel_element flexel_norm;
-extern const flexel_element flexel_truss;
-extern const flexel_element flexel_hinge;
-extern const flexel_element flexel_bearing;
-extern const flexel_element flexel_beam3;
-extern const flexel_element flexel_beam;
-extern const flexel_element flexel_beam_first_order;
-extern const flexel_element flexel_beam_warping;
-extern const flexel_element flexel_beam_logarithmic;
-extern const flexel_element flexel_wheel;
-extern const flexel_element flexel_surface;
-extern const flexel_element flexel_toroidal_wheel;
-extern const flexel_element flexel_tyre;
-extern const flexel_element flexel_tyre_on_road;
-extern const flexel_element flexel_axle_slip;
-extern const flexel_element flexel_rotation;
-extern const flexel_element flexel_body_rotation;
-extern const flexel_element flexel_body_velocity;
-extern const flexel_element flexel_bar_span;
-extern const flexel_element flexel_beam_span;
-extern const flexel_element flexel_skate;
-extern const flexel_element flexel_roller_cam;
-extern const flexel_element flexel_flat_cam;
-extern const flexel_element flexel_planar_point_mass;
-extern const flexel_element flexel_planar_body;
-extern const flexel_element flexel_planar_rotary_inertia;
-extern const flexel_element flexel_planar_truss;
-extern const flexel_element flexel_planar_hinge;
-extern const flexel_element flexel_planar_beam;
-extern const flexel_element flexel_planar_beam_first_order;
-extern const flexel_element flexel_planar_beam_logarithmic;
-extern const flexel_element flexel_planar_beam3;
-extern const flexel_element flexel_planar_bearing;
-extern const flexel_element flexel_planar_belt;
-extern const flexel_element flexel_planar_gear;
-extern const flexel_element flexel_planar_wheel;
-extern const flexel_element flexel_planar_skate;
-extern const flexel_element flexel_planar_roller_cam;
-extern const flexel_element flexel_planar_flat_cam;
-extern const flexel_element flexel_planar_body_velocity;
-extern const flexel_element flexel_planar_bar_span;
-extern const flexel_element flexel_planar_beam_span;
-extern const flexel_element flexel_cable;
-extern const flexel_element flexel_slope_clamp;
-extern const flexel_element flexel_cable_span;
-extern const flexel_element flexel_cable_cylinder;
-extern const flexel_element flexel_cable_plane;
-extern const flexel_element flexel_cable_v_groove;
-extern const flexel_element flexel_cable_round_groove;
-extern const flexel_element flexel_cable_helical_groove;
-extern const flexel_element flexel_point_cylinder;
-extern const flexel_element flexel_point_plane;
-extern const flexel_element flexel_point_v_groove;
-extern const flexel_element flexel_point_round_groove;
-extern const flexel_element flexel_sphere_cylinder;
-extern const flexel_element flexel_sphere_plane;
-extern const flexel_element flexel_sphere_v_groove;
-extern const flexel_element flexel_sphere_round_groove;
-extern const flexel_element flexel_planar_cable;
-extern const flexel_element flexel_planar_slope_clamp;
-extern const flexel_element flexel_planar_cable_span;
-extern const flexel_element flexel_planar_cable_circle;
-extern const flexel_element flexel_planar_cable_line;
-extern const flexel_element flexel_planar_point_circle;
-extern const flexel_element flexel_planar_point_line;
-extern const flexel_element flexel_planar_disc_circle;
-extern const flexel_element flexel_planar_disc_line;
-
-extern const flexel_law flexel_law_linear_1;
-extern const flexel_law flexel_law_linear_2;
-extern const flexel_law flexel_law_linear_3;
-extern const flexel_law flexel_law_linear_4;
-extern const flexel_law flexel_law_linear_5;
-extern const flexel_law flexel_law_linear_6;
-extern const flexel_law flexel_law_diagonal_6;
-extern const flexel_law flexel_law_diagonal_12;
-extern const flexel_law flexel_law_viscous_1;
-extern const flexel_law flexel_law_viscous_2;
-extern const flexel_law flexel_law_viscous_3;
-extern const flexel_law flexel_law_spring_curve;
-extern const flexel_law flexel_law_damper_curve;
-extern const flexel_law flexel_law_stop;
-extern const flexel_law flexel_law_vertical_tyre;
-extern const flexel_law flexel_law_linear_tyre;
-extern const flexel_law flexel_law_calspan_tyre;
-extern const flexel_law flexel_law_magic_formula;
-extern const flexel_law flexel_law_hertz;
-extern const flexel_law flexel_law_hertz_coulomb_1;
-extern const flexel_law flexel_law_hertz_coulomb_2;
-extern const flexel_law flexel_law_hertz_bristle_1;
-extern const flexel_law flexel_law_hertz_bristle_2;
-extern const flexel_law flexel_law_journal;
-extern const flexel_law flexel_law_friction;
-extern const flexel_law flexel_law_slip_friction;
-extern const flexel_law flexel_law_limits;
-extern const flexel_law flexel_law_loose_journal;
-extern const flexel_law flexel_law_loose_ball;
-extern const flexel_law flexel_law_held;
-extern const flexel_law flexel_law_slip_held;
-extern const flexel_law flexel_law_memory;
 /* cdef: end */
 
 #endif

@@ -66,7 +66,7 @@ static void linear_1_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_1 = {
     .name = "linear_1",
-    .digest = "1bb4fefea9bf7461",
+    .digest = "9aaaea561a751a9c",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -159,7 +159,7 @@ static void linear_2_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_2 = {
     .name = "linear_2",
-    .digest = "1bb4fefea9bf7461",
+    .digest = "9aaaea561a751a9c",
     .m = 2,
     .k = 0,
     .nz = 0,
@@ -279,7 +279,7 @@ static void linear_3_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_3 = {
     .name = "linear_3",
-    .digest = "1bb4fefea9bf7461",
+    .digest = "9aaaea561a751a9c",
     .m = 3,
     .k = 0,
     .nz = 0,
@@ -436,7 +436,7 @@ static void linear_4_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_4 = {
     .name = "linear_4",
-    .digest = "1bb4fefea9bf7461",
+    .digest = "9aaaea561a751a9c",
     .m = 4,
     .k = 0,
     .nz = 0,
@@ -633,7 +633,7 @@ static void linear_5_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_5 = {
     .name = "linear_5",
-    .digest = "1bb4fefea9bf7461",
+    .digest = "9aaaea561a751a9c",
     .m = 5,
     .k = 0,
     .nz = 0,
@@ -884,379 +884,13 @@ static void linear_6_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_6 = {
     .name = "linear_6",
-    .digest = "1bb4fefea9bf7461",
+    .digest = "9aaaea561a751a9c",
     .m = 6,
     .k = 0,
     .nz = 0,
     .np = 48,
     .law = linear_6_law,
     .tangent = linear_6_tangent,
-};
-
-/* diagonal_6
- *
- * sigma_i = preload_i + S_i e_i + D_i ed_i
- * energy = sum of preload_i e_i + S_i e_i^2/2
- *
- * Source: Kelvin-Voigt model
- *
- * 6 deformations, 0 slips
- * p (18):
- *   preload (6) [N or N m]: stress at zero deformation
- *   S (6) [N/m or N m]: stiffness of each deformation
- *   D (6) [N s/m or N m s]: damping of each deformation */
-
-/* law: 77 operations.
- * in:  e (6), ed (6), s (0), z (0), t (1), p (18)
- * out: sigma (6), tau (0), zd (0), U (1), P (1) */
-FLEXEL_CLONES
-static void diagonal_6_law(size_t nblocks, const real *const *in, real *const *out)
-{
-    for (size_t b = 0; b < nblocks; b++) {
-        const real *restrict e = in[0] + b * (6 * 8);
-        const real *restrict ed = in[1] + b * (6 * 8);
-        const real *restrict p = in[5] + b * (18 * 8);
-        real *restrict sigma = out[0] + b * (6 * 8);
-        real *restrict U = out[3] + b * (1 * 8);
-        real *restrict P = out[4] + b * (1 * 8);
-#pragma omp simd
-        for (size_t j = 0; j < 8; j++) {
-            const real e_0 = e[0 * 8 + j];
-            const real S_0 = p[6 * 8 + j];
-            const real t0 = e_0 * S_0;
-            const real ed_0 = ed[0 * 8 + j];
-            const real D_0 = p[12 * 8 + j];
-            const real preload_0 = p[0 * 8 + j];
-            const real t1 = preload_0 + ed_0 * D_0 + t0;
-            sigma[0 * 8 + j] = t1;
-            const real e_1 = e[1 * 8 + j];
-            const real S_1 = p[7 * 8 + j];
-            const real t2 = e_1 * S_1;
-            const real ed_1 = ed[1 * 8 + j];
-            const real D_1 = p[13 * 8 + j];
-            const real preload_1 = p[1 * 8 + j];
-            const real t3 = preload_1 + ed_1 * D_1 + t2;
-            sigma[1 * 8 + j] = t3;
-            const real e_2 = e[2 * 8 + j];
-            const real S_2 = p[8 * 8 + j];
-            const real t4 = e_2 * S_2;
-            const real ed_2 = ed[2 * 8 + j];
-            const real D_2 = p[14 * 8 + j];
-            const real preload_2 = p[2 * 8 + j];
-            const real t5 = preload_2 + ed_2 * D_2 + t4;
-            sigma[2 * 8 + j] = t5;
-            const real e_3 = e[3 * 8 + j];
-            const real S_3 = p[9 * 8 + j];
-            const real t6 = e_3 * S_3;
-            const real ed_3 = ed[3 * 8 + j];
-            const real D_3 = p[15 * 8 + j];
-            const real preload_3 = p[3 * 8 + j];
-            const real t7 = preload_3 + ed_3 * D_3 + t6;
-            sigma[3 * 8 + j] = t7;
-            const real e_4 = e[4 * 8 + j];
-            const real S_4 = p[10 * 8 + j];
-            const real t8 = e_4 * S_4;
-            const real ed_4 = ed[4 * 8 + j];
-            const real D_4 = p[16 * 8 + j];
-            const real preload_4 = p[4 * 8 + j];
-            const real t9 = preload_4 + ed_4 * D_4 + t8;
-            sigma[4 * 8 + j] = t9;
-            const real e_5 = e[5 * 8 + j];
-            const real S_5 = p[11 * 8 + j];
-            const real t10 = e_5 * S_5;
-            const real ed_5 = ed[5 * 8 + j];
-            const real D_5 = p[17 * 8 + j];
-            const real preload_5 = p[5 * 8 + j];
-            const real t11 = preload_5 + ed_5 * D_5 + t10;
-            sigma[5 * 8 + j] = t11;
-            const real t12 = preload_5 + 0.5 * t10;
-            const real t13 = preload_4 + 0.5 * t8;
-            const real t14 = preload_3 + 0.5 * t6;
-            const real t15 = preload_2 + 0.5 * t4;
-            const real t16 = preload_0 + 0.5 * t0;
-            const real t17 = preload_1 + 0.5 * t2;
-            const real t18 = e_0 * t16 + e_1 * t17 + e_2 * t15 + e_3 * t14 + e_4 * t13;
-            U[0 * 8 + j] = e_5 * t12 + t18;
-            const real t19 = ed_5 * (t11 - t12) + ed_4 * (t9 - t13) + ed_3 * (t7 - t14);
-            const real t20 = ed_2 * (t5 - t15) + t19 + ed_0 * (t1 - t16) + ed_1 * (t3 - t17);
-            const real t21 = ed_1 * t2 + ed_0 * t0 + ed_2 * t4 + ed_3 * t6 + ed_5 * t10;
-            P[0 * 8 + j] = t20 - 0.5 * (ed_4 * t8 + t21);
-        }
-    }
-}
-
-/* tangent: 0 operations.
- * in:  e (6), ed (6), s (0), z (0), t (1), p (18)
- * out: J (6,12), 12 of 72 entries */
-FLEXEL_CLONES
-static void diagonal_6_tangent(size_t nblocks, const real *const *in, real *const *out)
-{
-    for (size_t b = 0; b < nblocks; b++) {
-        const real *restrict p = in[5] + b * (18 * 8);
-        real *restrict J = out[0] + b * (12 * 8);
-#pragma omp simd
-        for (size_t j = 0; j < 8; j++) {
-            const real S_0 = p[6 * 8 + j];
-            J[0 * 8 + j] = S_0; /* J(0,0) */
-            const real D_0 = p[12 * 8 + j];
-            J[1 * 8 + j] = D_0; /* J(0,6) */
-            const real S_1 = p[7 * 8 + j];
-            J[2 * 8 + j] = S_1; /* J(1,1) */
-            const real D_1 = p[13 * 8 + j];
-            J[3 * 8 + j] = D_1; /* J(1,7) */
-            const real S_2 = p[8 * 8 + j];
-            J[4 * 8 + j] = S_2; /* J(2,2) */
-            const real D_2 = p[14 * 8 + j];
-            J[5 * 8 + j] = D_2; /* J(2,8) */
-            const real S_3 = p[9 * 8 + j];
-            J[6 * 8 + j] = S_3; /* J(3,3) */
-            const real D_3 = p[15 * 8 + j];
-            J[7 * 8 + j] = D_3; /* J(3,9) */
-            const real S_4 = p[10 * 8 + j];
-            J[8 * 8 + j] = S_4; /* J(4,4) */
-            const real D_4 = p[16 * 8 + j];
-            J[9 * 8 + j] = D_4; /* J(4,10) */
-            const real S_5 = p[11 * 8 + j];
-            J[10 * 8 + j] = S_5; /* J(5,5) */
-            const real D_5 = p[17 * 8 + j];
-            J[11 * 8 + j] = D_5; /* J(5,11) */
-        }
-    }
-}
-
-const flexel_law flexel_law_diagonal_6 = {
-    .name = "diagonal_6",
-    .digest = "1bb4fefea9bf7461",
-    .m = 6,
-    .k = 0,
-    .nz = 0,
-    .np = 18,
-    .law = diagonal_6_law,
-    .tangent = diagonal_6_tangent,
-};
-
-/* diagonal_12
- *
- * sigma_i = preload_i + S_i e_i + D_i ed_i
- * energy = sum of preload_i e_i + S_i e_i^2/2
- *
- * Source: Kelvin-Voigt model
- *
- * 12 deformations, 0 slips
- * p (36):
- *   preload (12) [N or N m]: stress at zero deformation
- *   S (12) [N/m or N m]: stiffness of each deformation
- *   D (12) [N s/m or N m s]: damping of each deformation */
-
-/* law: 155 operations.
- * in:  e (12), ed (12), s (0), z (0), t (1), p (36)
- * out: sigma (12), tau (0), zd (0), U (1), P (1) */
-FLEXEL_CLONES
-static void diagonal_12_law(size_t nblocks, const real *const *in, real *const *out)
-{
-    for (size_t b = 0; b < nblocks; b++) {
-        const real *restrict e = in[0] + b * (12 * 8);
-        const real *restrict ed = in[1] + b * (12 * 8);
-        const real *restrict p = in[5] + b * (36 * 8);
-        real *restrict sigma = out[0] + b * (12 * 8);
-        real *restrict U = out[3] + b * (1 * 8);
-        real *restrict P = out[4] + b * (1 * 8);
-#pragma omp simd
-        for (size_t j = 0; j < 8; j++) {
-            const real e_0 = e[0 * 8 + j];
-            const real S_0 = p[12 * 8 + j];
-            const real t0 = e_0 * S_0;
-            const real ed_0 = ed[0 * 8 + j];
-            const real D_0 = p[24 * 8 + j];
-            const real preload_0 = p[0 * 8 + j];
-            const real t1 = preload_0 + ed_0 * D_0 + t0;
-            sigma[0 * 8 + j] = t1;
-            const real e_1 = e[1 * 8 + j];
-            const real S_1 = p[13 * 8 + j];
-            const real t2 = e_1 * S_1;
-            const real ed_1 = ed[1 * 8 + j];
-            const real D_1 = p[25 * 8 + j];
-            const real preload_1 = p[1 * 8 + j];
-            const real t3 = preload_1 + ed_1 * D_1 + t2;
-            sigma[1 * 8 + j] = t3;
-            const real e_2 = e[2 * 8 + j];
-            const real S_2 = p[14 * 8 + j];
-            const real t4 = e_2 * S_2;
-            const real ed_2 = ed[2 * 8 + j];
-            const real D_2 = p[26 * 8 + j];
-            const real preload_2 = p[2 * 8 + j];
-            const real t5 = preload_2 + ed_2 * D_2 + t4;
-            sigma[2 * 8 + j] = t5;
-            const real e_3 = e[3 * 8 + j];
-            const real S_3 = p[15 * 8 + j];
-            const real t6 = e_3 * S_3;
-            const real ed_3 = ed[3 * 8 + j];
-            const real D_3 = p[27 * 8 + j];
-            const real preload_3 = p[3 * 8 + j];
-            const real t7 = preload_3 + ed_3 * D_3 + t6;
-            sigma[3 * 8 + j] = t7;
-            const real e_4 = e[4 * 8 + j];
-            const real S_4 = p[16 * 8 + j];
-            const real t8 = e_4 * S_4;
-            const real ed_4 = ed[4 * 8 + j];
-            const real D_4 = p[28 * 8 + j];
-            const real preload_4 = p[4 * 8 + j];
-            const real t9 = preload_4 + ed_4 * D_4 + t8;
-            sigma[4 * 8 + j] = t9;
-            const real e_5 = e[5 * 8 + j];
-            const real S_5 = p[17 * 8 + j];
-            const real t10 = e_5 * S_5;
-            const real ed_5 = ed[5 * 8 + j];
-            const real D_5 = p[29 * 8 + j];
-            const real preload_5 = p[5 * 8 + j];
-            const real t11 = preload_5 + ed_5 * D_5 + t10;
-            sigma[5 * 8 + j] = t11;
-            const real e_6 = e[6 * 8 + j];
-            const real S_6 = p[18 * 8 + j];
-            const real t12 = e_6 * S_6;
-            const real ed_6 = ed[6 * 8 + j];
-            const real D_6 = p[30 * 8 + j];
-            const real preload_6 = p[6 * 8 + j];
-            const real t13 = preload_6 + ed_6 * D_6 + t12;
-            sigma[6 * 8 + j] = t13;
-            const real e_7 = e[7 * 8 + j];
-            const real S_7 = p[19 * 8 + j];
-            const real t14 = e_7 * S_7;
-            const real ed_7 = ed[7 * 8 + j];
-            const real D_7 = p[31 * 8 + j];
-            const real preload_7 = p[7 * 8 + j];
-            const real t15 = preload_7 + ed_7 * D_7 + t14;
-            sigma[7 * 8 + j] = t15;
-            const real e_8 = e[8 * 8 + j];
-            const real S_8 = p[20 * 8 + j];
-            const real t16 = e_8 * S_8;
-            const real ed_8 = ed[8 * 8 + j];
-            const real D_8 = p[32 * 8 + j];
-            const real preload_8 = p[8 * 8 + j];
-            const real t17 = preload_8 + ed_8 * D_8 + t16;
-            sigma[8 * 8 + j] = t17;
-            const real e_9 = e[9 * 8 + j];
-            const real S_9 = p[21 * 8 + j];
-            const real t18 = e_9 * S_9;
-            const real ed_9 = ed[9 * 8 + j];
-            const real D_9 = p[33 * 8 + j];
-            const real preload_9 = p[9 * 8 + j];
-            const real t19 = preload_9 + ed_9 * D_9 + t18;
-            sigma[9 * 8 + j] = t19;
-            const real e_10 = e[10 * 8 + j];
-            const real S_10 = p[22 * 8 + j];
-            const real t20 = e_10 * S_10;
-            const real ed_10 = ed[10 * 8 + j];
-            const real D_10 = p[34 * 8 + j];
-            const real preload_10 = p[10 * 8 + j];
-            const real t21 = preload_10 + ed_10 * D_10 + t20;
-            sigma[10 * 8 + j] = t21;
-            const real e_11 = e[11 * 8 + j];
-            const real S_11 = p[23 * 8 + j];
-            const real t22 = e_11 * S_11;
-            const real ed_11 = ed[11 * 8 + j];
-            const real D_11 = p[35 * 8 + j];
-            const real preload_11 = p[11 * 8 + j];
-            const real t23 = preload_11 + ed_11 * D_11 + t22;
-            sigma[11 * 8 + j] = t23;
-            const real t24 = preload_9 + 0.5 * t18;
-            const real t25 = preload_8 + 0.5 * t16;
-            const real t26 = preload_7 + 0.5 * t14;
-            const real t27 = preload_6 + 0.5 * t12;
-            const real t28 = preload_5 + 0.5 * t10;
-            const real t29 = preload_4 + 0.5 * t8;
-            const real t30 = preload_3 + 0.5 * t6;
-            const real t31 = preload_2 + 0.5 * t4;
-            const real t32 = preload_11 + 0.5 * t22;
-            const real t33 = preload_10 + 0.5 * t20;
-            const real t34 = preload_0 + 0.5 * t0;
-            const real t35 = preload_1 + 0.5 * t2;
-            const real t36 = e_0 * t34 + e_1 * t35 + e_10 * t33 + e_11 * t32 + e_2 * t31;
-            const real t37 = e_3 * t30 + t36 + e_4 * t29 + e_5 * t28 + e_6 * t27 + e_7 * t26;
-            U[0 * 8 + j] = e_8 * t25 + t37 + e_9 * t24;
-            const real t38 = ed_11 * (t23 - t32) + ed_10 * (t21 - t33) + ed_9 * (t19 - t24);
-            const real t39 = ed_8 * (t17 - t25) + t38 + ed_7 * (t15 - t26) + ed_6 * (t13 - t27);
-            const real t40 = ed_5 * (t11 - t28) + t39 + ed_4 * (t9 - t29) + ed_3 * (t7 - t30);
-            const real t41 = ed_2 * (t5 - t31) + t40 + ed_0 * (t1 - t34) + ed_1 * (t3 - t35);
-            const real t42 = ed_1 * t2 + ed_0 * t0 + ed_10 * t20 + ed_11 * t22 + ed_2 * t4;
-            const real t43 = ed_3 * t6 + t42 + ed_4 * t8 + ed_5 * t10 + ed_6 * t12 + ed_7 * t14;
-            P[0 * 8 + j] = t41 - 0.5 * (ed_9 * t18 + t43 + ed_8 * t16);
-        }
-    }
-}
-
-/* tangent: 0 operations.
- * in:  e (12), ed (12), s (0), z (0), t (1), p (36)
- * out: J (12,24), 24 of 288 entries */
-FLEXEL_CLONES
-static void diagonal_12_tangent(size_t nblocks, const real *const *in, real *const *out)
-{
-    for (size_t b = 0; b < nblocks; b++) {
-        const real *restrict p = in[5] + b * (36 * 8);
-        real *restrict J = out[0] + b * (24 * 8);
-#pragma omp simd
-        for (size_t j = 0; j < 8; j++) {
-            const real S_0 = p[12 * 8 + j];
-            J[0 * 8 + j] = S_0; /* J(0,0) */
-            const real D_0 = p[24 * 8 + j];
-            J[1 * 8 + j] = D_0; /* J(0,12) */
-            const real S_1 = p[13 * 8 + j];
-            J[2 * 8 + j] = S_1; /* J(1,1) */
-            const real D_1 = p[25 * 8 + j];
-            J[3 * 8 + j] = D_1; /* J(1,13) */
-            const real S_2 = p[14 * 8 + j];
-            J[4 * 8 + j] = S_2; /* J(2,2) */
-            const real D_2 = p[26 * 8 + j];
-            J[5 * 8 + j] = D_2; /* J(2,14) */
-            const real S_3 = p[15 * 8 + j];
-            J[6 * 8 + j] = S_3; /* J(3,3) */
-            const real D_3 = p[27 * 8 + j];
-            J[7 * 8 + j] = D_3; /* J(3,15) */
-            const real S_4 = p[16 * 8 + j];
-            J[8 * 8 + j] = S_4; /* J(4,4) */
-            const real D_4 = p[28 * 8 + j];
-            J[9 * 8 + j] = D_4; /* J(4,16) */
-            const real S_5 = p[17 * 8 + j];
-            J[10 * 8 + j] = S_5; /* J(5,5) */
-            const real D_5 = p[29 * 8 + j];
-            J[11 * 8 + j] = D_5; /* J(5,17) */
-            const real S_6 = p[18 * 8 + j];
-            J[12 * 8 + j] = S_6; /* J(6,6) */
-            const real D_6 = p[30 * 8 + j];
-            J[13 * 8 + j] = D_6; /* J(6,18) */
-            const real S_7 = p[19 * 8 + j];
-            J[14 * 8 + j] = S_7; /* J(7,7) */
-            const real D_7 = p[31 * 8 + j];
-            J[15 * 8 + j] = D_7; /* J(7,19) */
-            const real S_8 = p[20 * 8 + j];
-            J[16 * 8 + j] = S_8; /* J(8,8) */
-            const real D_8 = p[32 * 8 + j];
-            J[17 * 8 + j] = D_8; /* J(8,20) */
-            const real S_9 = p[21 * 8 + j];
-            J[18 * 8 + j] = S_9; /* J(9,9) */
-            const real D_9 = p[33 * 8 + j];
-            J[19 * 8 + j] = D_9; /* J(9,21) */
-            const real S_10 = p[22 * 8 + j];
-            J[20 * 8 + j] = S_10; /* J(10,10) */
-            const real D_10 = p[34 * 8 + j];
-            J[21 * 8 + j] = D_10; /* J(10,22) */
-            const real S_11 = p[23 * 8 + j];
-            J[22 * 8 + j] = S_11; /* J(11,11) */
-            const real D_11 = p[35 * 8 + j];
-            J[23 * 8 + j] = D_11; /* J(11,23) */
-        }
-    }
-}
-
-const flexel_law flexel_law_diagonal_12 = {
-    .name = "diagonal_12",
-    .digest = "1bb4fefea9bf7461",
-    .m = 12,
-    .k = 0,
-    .nz = 0,
-    .np = 36,
-    .law = diagonal_12_law,
-    .tangent = diagonal_12_tangent,
 };
 
 /* viscous_1
@@ -1310,7 +944,7 @@ static void viscous_1_tangent(size_t nblocks, const real *const *in, real *const
 
 const flexel_law flexel_law_viscous_1 = {
     .name = "viscous_1",
-    .digest = "1bb4fefea9bf7461",
+    .digest = "9aaaea561a751a9c",
     .m = 0,
     .k = 1,
     .nz = 0,
@@ -1379,7 +1013,7 @@ static void viscous_2_tangent(size_t nblocks, const real *const *in, real *const
 
 const flexel_law flexel_law_viscous_2 = {
     .name = "viscous_2",
-    .digest = "1bb4fefea9bf7461",
+    .digest = "9aaaea561a751a9c",
     .m = 0,
     .k = 2,
     .nz = 0,
@@ -1460,13 +1094,748 @@ static void viscous_3_tangent(size_t nblocks, const real *const *in, real *const
 
 const flexel_law flexel_law_viscous_3 = {
     .name = "viscous_3",
-    .digest = "1bb4fefea9bf7461",
+    .digest = "9aaaea561a751a9c",
     .m = 0,
     .k = 3,
     .nz = 0,
     .np = 6,
     .law = viscous_3_law,
     .tangent = viscous_3_tangent,
+};
+
+/* beam_extension
+ *
+ * sigma = EA/l0 (e - initial_strain l0 + damping ed),  e: the beam's elongation
+ * energy = EA/l0 e (e/2 - initial_strain l0)
+ *
+ * Source: theory of beams; Kelvin-Voigt damping
+ *
+ * 1 deformations, 0 slips
+ * p (4):
+ *   l0 (1) [m]: undeformed length
+ *   EA (1) [N]: axial stiffness
+ *   initial_strain (1) [1]: elongation per length of the unstressed beam
+ *   damping (1) [s]: ratio of damping to stiffness */
+
+/* law: 15 operations.
+ * in:  e (1), ed (1), s (0), z (0), t (1), p (4)
+ * out: sigma (1), tau (0), zd (0), U (1), P (1) */
+FLEXEL_CLONES
+static void beam_extension_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (1 * 8);
+        const real *restrict ed = in[1] + b * (1 * 8);
+        const real *restrict p = in[5] + b * (4 * 8);
+        real *restrict sigma = out[0] + b * (1 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real l0 = p[0 * 8 + j];
+            const real EA = p[1 * 8 + j];
+            const real k = 1.0 / l0 * EA;
+            const real ed_0 = ed[0 * 8 + j];
+            const real damping = p[3 * 8 + j];
+            const real e_0 = e[0 * 8 + j];
+            const real initial_strain = p[2 * 8 + j];
+            const real t0 = l0 * initial_strain;
+            const real t1 = k * (e_0 + ed_0 * damping - t0);
+            sigma[0 * 8 + j] = t1;
+            const real t2 = 0.5 * e_0;
+            const real t3 = t2 - t0;
+            U[0 * 8 + j] = e_0 * t3 * k;
+            P[0 * 8 + j] = ed_0 * (t1 - k * (t2 + t3));
+        }
+    }
+}
+
+/* tangent: 3 operations.
+ * in:  e (1), ed (1), s (0), z (0), t (1), p (4)
+ * out: J (1,2) */
+FLEXEL_CLONES
+static void beam_extension_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict p = in[5] + b * (4 * 8);
+        real *restrict J = out[0] + b * (2 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real l0 = p[0 * 8 + j];
+            const real EA = p[1 * 8 + j];
+            const real k = 1.0 / l0 * EA;
+            J[0 * 8 + j] = k; /* J(0,0) */
+            const real damping = p[3 * 8 + j];
+            J[1 * 8 + j] = damping * k; /* J(0,1) */
+        }
+    }
+}
+
+const flexel_law flexel_law_beam_extension = {
+    .name = "beam_extension",
+    .digest = "9aaaea561a751a9c",
+    .m = 1,
+    .k = 0,
+    .nz = 0,
+    .np = 4,
+    .law = beam_extension_law,
+    .tangent = beam_extension_tangent,
+};
+
+/* beam_torsion
+ *
+ * sigma = GJ/l0^3 (e - initial_twist l0^2 + damping ed),  e: l0 times the angle of twist
+ * energy = GJ/l0^3 e (e/2 - initial_twist l0^2)
+ *
+ * Source: theory of beams; Kelvin-Voigt damping
+ *
+ * 1 deformations, 0 slips
+ * p (4):
+ *   l0 (1) [m]: undeformed length
+ *   GJ (1) [N m^2]: torsional stiffness
+ *   initial_twist (1) [1/m]: twist of the unstressed beam
+ *   damping (1) [s]: ratio of damping to stiffness */
+
+/* law: 18 operations.
+ * in:  e (1), ed (1), s (0), z (0), t (1), p (4)
+ * out: sigma (1), tau (0), zd (0), U (1), P (1) */
+FLEXEL_CLONES
+static void beam_torsion_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (1 * 8);
+        const real *restrict ed = in[1] + b * (1 * 8);
+        const real *restrict p = in[5] + b * (4 * 8);
+        real *restrict sigma = out[0] + b * (1 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real l0 = p[0 * 8 + j];
+            const real t0 = 1.0 / l0;
+            const real GJ = p[1 * 8 + j];
+            const real k = t0 * t0 * GJ * t0;
+            const real ed_0 = ed[0 * 8 + j];
+            const real damping = p[3 * 8 + j];
+            const real e_0 = e[0 * 8 + j];
+            const real initial_twist = p[2 * 8 + j];
+            const real t1 = l0 * l0 * initial_twist;
+            const real t2 = k * (e_0 + ed_0 * damping - t1);
+            sigma[0 * 8 + j] = t2;
+            const real t3 = 0.5 * e_0;
+            const real t4 = t3 - t1;
+            U[0 * 8 + j] = e_0 * t4 * k;
+            P[0 * 8 + j] = ed_0 * (t2 - k * (t3 + t4));
+        }
+    }
+}
+
+/* tangent: 5 operations.
+ * in:  e (1), ed (1), s (0), z (0), t (1), p (4)
+ * out: J (1,2) */
+FLEXEL_CLONES
+static void beam_torsion_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict p = in[5] + b * (4 * 8);
+        real *restrict J = out[0] + b * (2 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real l0 = p[0 * 8 + j];
+            const real t0 = 1.0 / l0;
+            const real GJ = p[1 * 8 + j];
+            const real k = t0 * t0 * t0 * GJ;
+            J[0 * 8 + j] = k; /* J(0,0) */
+            const real damping = p[3 * 8 + j];
+            J[1 * 8 + j] = damping * k; /* J(0,1) */
+        }
+    }
+}
+
+const flexel_law flexel_law_beam_torsion = {
+    .name = "beam_torsion",
+    .digest = "9aaaea561a751a9c",
+    .m = 1,
+    .k = 0,
+    .nz = 0,
+    .np = 4,
+    .law = beam_torsion_law,
+    .tangent = beam_torsion_tangent,
+};
+
+/* beam_bending
+ *
+ * e_0, e_1: the beam's two deformations of bending in one plane, at p and at q
+ * P = 0,  k = EI/((1 + P) l0^3),  r = initial_curvature l0^2/2,  d_i = e_i - r + damping ed_i
+ * sigma = k ((4 + P) d_0 + (P - 2) d_1, (P - 2) d_0 + (4 + P) d_1)
+ * energy: the same form of e_i - r, less its value at e_i = 0
+ *
+ * Source: Przemieniecki 1968, Theory of matrix structural analysis; Kelvin-Voigt damping
+ *
+ * 2 deformations, 0 slips
+ * p (4):
+ *   l0 (1) [m]: undeformed length
+ *   EI (1) [N m^2]: bending stiffness
+ *   initial_curvature (1) [1/m]: curvature of the unstressed beam
+ *   damping (1) [s]: ratio of damping to stiffness */
+
+/* law: 46 operations.
+ * in:  e (2), ed (2), s (0), z (0), t (1), p (4)
+ * out: sigma (2), tau (0), zd (0), U (1), P (1) */
+FLEXEL_CLONES
+static void beam_bending_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (2 * 8);
+        const real *restrict ed = in[1] + b * (2 * 8);
+        const real *restrict p = in[5] + b * (4 * 8);
+        real *restrict sigma = out[0] + b * (2 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real l0 = p[0 * 8 + j];
+            const real t0 = 1.0 / l0;
+            const real EI = p[1 * 8 + j];
+            const real k = EI * t0 * t0 * t0;
+            const real ed_0 = ed[0 * 8 + j];
+            const real damping = p[3 * 8 + j];
+            const real e_0 = e[0 * 8 + j];
+            const real initial_curvature = p[2 * 8 + j];
+            const real t1 = l0 * initial_curvature * l0;
+            const real relaxed = 0.5 * t1;
+            const real t2 = e_0 + ed_0 * damping - relaxed;
+            const real ed_1 = ed[1 * 8 + j];
+            const real e_1 = e[1 * 8 + j];
+            const real t3 = e_1 + ed_1 * damping - relaxed;
+            const real t4 = k * (4.0 * t2 - 2.0 * t3);
+            sigma[0 * 8 + j] = t4;
+            const real t5 = k * (4.0 * t3 - 2.0 * t2);
+            sigma[1 * 8 + j] = t5;
+            const real t6 = e_0 - t1;
+            const real t7 = e_1 - t1;
+            const real t8 = k * (2.0 * t6 - t7);
+            const real t9 = k * (2.0 * t7 - t6);
+            U[0 * 8 + j] = e_0 * t8 + e_1 * t9;
+            const real t10 = k * (e_0 * (2.0 * ed_0 - ed_1) + e_1 * (2.0 * ed_1 - ed_0));
+            P[0 * 8 + j] = ed_0 * (t4 - t8) + ed_1 * (t5 - t9) - t10;
+        }
+    }
+}
+
+/* tangent: 11 operations.
+ * in:  e (2), ed (2), s (0), z (0), t (1), p (4)
+ * out: J (2,4) */
+FLEXEL_CLONES
+static void beam_bending_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict p = in[5] + b * (4 * 8);
+        real *restrict J = out[0] + b * (8 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real l0 = p[0 * 8 + j];
+            const real t0 = 1.0 / l0;
+            const real EI = p[1 * 8 + j];
+            const real k = t0 * t0 * t0 * EI;
+            J[0 * 8 + j] = J[5 * 8 + j] = 4.0 * k; /* J(0,0) J(1,1) */
+            J[1 * 8 + j] = J[4 * 8 + j] = -(2.0 * k); /* J(0,1) J(1,0) */
+            const real damping = p[3 * 8 + j];
+            const real t1 = damping * k;
+            J[2 * 8 + j] = J[7 * 8 + j] = 4.0 * t1; /* J(0,2) J(1,3) */
+            J[3 * 8 + j] = J[6 * 8 + j] = -(2.0 * t1); /* J(0,3) J(1,2) */
+        }
+    }
+}
+
+const flexel_law flexel_law_beam_bending = {
+    .name = "beam_bending",
+    .digest = "9aaaea561a751a9c",
+    .m = 2,
+    .k = 0,
+    .nz = 0,
+    .np = 4,
+    .law = beam_bending_law,
+    .tangent = beam_bending_tangent,
+};
+
+/* beam_shear_bending
+ *
+ * e_0, e_1: the beam's two deformations of bending in one plane, at p and at q
+ * P = 12 EI/(GA l0^2),  k = EI/((1 + P) l0^3),  r = initial_curvature l0^2/2,  d_i = e_i - r + damping ed_i
+ * sigma = k ((4 + P) d_0 + (P - 2) d_1, (P - 2) d_0 + (4 + P) d_1)
+ * energy: the same form of e_i - r, less its value at e_i = 0
+ *
+ * Source: Przemieniecki 1968, Theory of matrix structural analysis; Kelvin-Voigt damping
+ *
+ * 2 deformations, 0 slips
+ * p (5):
+ *   l0 (1) [m]: undeformed length
+ *   EI (1) [N m^2]: bending stiffness
+ *   GA (1) [N]: shear stiffness k G A
+ *   initial_curvature (1) [1/m]: curvature of the unstressed beam
+ *   damping (1) [s]: ratio of damping to stiffness */
+
+/* law: 60 operations.
+ * in:  e (2), ed (2), s (0), z (0), t (1), p (5)
+ * out: sigma (2), tau (0), zd (0), U (1), P (1) */
+FLEXEL_CLONES
+static void beam_shear_bending_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (2 * 8);
+        const real *restrict ed = in[1] + b * (2 * 8);
+        const real *restrict p = in[5] + b * (5 * 8);
+        real *restrict sigma = out[0] + b * (2 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real l0 = p[0 * 8 + j];
+            const real t0 = 1.0 / l0;
+            const real t1 = t0 * t0;
+            const real GA = p[2 * 8 + j];
+            const real EI = p[1 * 8 + j];
+            const real P_ = 12.0 * (1.0 / GA * EI * t1);
+            const real k = 1.0 / (1.0 + P_) * (t0 * t1 * EI);
+            const real t2 = k * (P_ - 2.0);
+            const real ed_1 = ed[1 * 8 + j];
+            const real damping = p[4 * 8 + j];
+            const real e_1 = e[1 * 8 + j];
+            const real initial_curvature = p[3 * 8 + j];
+            const real t3 = l0 * l0 * initial_curvature;
+            const real relaxed = 0.5 * t3;
+            const real t4 = e_1 + ed_1 * damping - relaxed;
+            const real t5 = k * (P_ + 4.0);
+            const real ed_0 = ed[0 * 8 + j];
+            const real e_0 = e[0 * 8 + j];
+            const real t6 = e_0 + ed_0 * damping - relaxed;
+            const real t7 = t2 * t4 + t5 * t6;
+            sigma[0 * 8 + j] = t7;
+            const real t8 = t2 * t6 + t5 * t4;
+            sigma[1 * 8 + j] = t8;
+            const real t9 = e_1 - t3;
+            const real t10 = e_0 - t3;
+            const real t11 = t2 * t9 + t5 * t10;
+            const real t12 = t2 * t10 + t5 * t9;
+            U[0 * 8 + j] = 0.5 * (e_0 * t11 + e_1 * t12);
+            const real t13 = e_0 * (ed_1 * t2 + ed_0 * t5) + e_1 * (ed_0 * t2 + ed_1 * t5);
+            P[0 * 8 + j] = ed_0 * (t7 - 0.5 * t11) + ed_1 * (t8 - 0.5 * t12) - 0.5 * t13;
+        }
+    }
+}
+
+/* tangent: 17 operations.
+ * in:  e (2), ed (2), s (0), z (0), t (1), p (5)
+ * out: J (2,4) */
+FLEXEL_CLONES
+static void beam_shear_bending_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict p = in[5] + b * (5 * 8);
+        real *restrict J = out[0] + b * (8 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real l0 = p[0 * 8 + j];
+            const real t0 = 1.0 / l0;
+            const real t1 = t0 * t0;
+            const real GA = p[2 * 8 + j];
+            const real EI = p[1 * 8 + j];
+            const real P_ = 12.0 * (1.0 / GA * EI * t1);
+            const real k = 1.0 / (1.0 + P_) * (t0 * t1 * EI);
+            const real t2 = k * (P_ + 4.0);
+            J[0 * 8 + j] = J[5 * 8 + j] = t2; /* J(0,0) J(1,1) */
+            const real t3 = k * (P_ - 2.0);
+            J[1 * 8 + j] = J[4 * 8 + j] = t3; /* J(0,1) J(1,0) */
+            const real damping = p[4 * 8 + j];
+            J[2 * 8 + j] = J[7 * 8 + j] = damping * t2; /* J(0,2) J(1,3) */
+            J[3 * 8 + j] = J[6 * 8 + j] = damping * t3; /* J(0,3) J(1,2) */
+        }
+    }
+}
+
+const flexel_law flexel_law_beam_shear_bending = {
+    .name = "beam_shear_bending",
+    .digest = "9aaaea561a751a9c",
+    .m = 2,
+    .k = 0,
+    .nz = 0,
+    .np = 5,
+    .law = beam_shear_bending_law,
+    .tangent = beam_shear_bending_tangent,
+};
+
+/* beam_bimoment
+ *
+ * e_0, e_1: the beam's two deformations of warping, at p and at q;  d_i = e_i + damping ed_i
+ * sigma_i = GJ/(30 l0^3) (4 d_i - d_j) + 2 EIw/l0^5 (2 d_i + d_j),  j: the other one
+ * energy: the same form of e_i, halved
+ *
+ * Source: Vlasov 1961, Thin-walled elastic beams
+ *
+ * 2 deformations, 0 slips
+ * p (4):
+ *   l0 (1) [m]: undeformed length
+ *   GJ (1) [N m^2]: torsional stiffness
+ *   EIw (1) [N m^4]: warping stiffness
+ *   damping (1) [s]: ratio of damping to stiffness */
+
+/* law: 51 operations.
+ * in:  e (2), ed (2), s (0), z (0), t (1), p (4)
+ * out: sigma (2), tau (0), zd (0), U (1), P (1) */
+FLEXEL_CLONES
+static void beam_bimoment_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (2 * 8);
+        const real *restrict ed = in[1] + b * (2 * 8);
+        const real *restrict p = in[5] + b * (4 * 8);
+        real *restrict sigma = out[0] + b * (2 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real ed_1 = ed[1 * 8 + j];
+            const real damping = p[3 * 8 + j];
+            const real e_1 = e[1 * 8 + j];
+            const real t0 = e_1 + ed_1 * damping;
+            const real l0 = p[0 * 8 + j];
+            const real t1 = 1.0 / l0;
+            const real t2 = t1 * t1;
+            const real EIw = p[2 * 8 + j];
+            const real t3 = t2 * t2 * EIw * t1;
+            const real bimoment = 2.0 * t3;
+            const real GJ = p[1 * 8 + j];
+            const real t4 = GJ * t2 * t1;
+            const real twisting = 0.03333333333333333 * t4;
+            const real t5 = bimoment - twisting;
+            const real ed_0 = ed[0 * 8 + j];
+            const real e_0 = e[0 * 8 + j];
+            const real t6 = e_0 + ed_0 * damping;
+            const real t7 = 4.0 * t3 + 0.13333333333333333 * t4;
+            const real t8 = t0 * t5 + t6 * t7;
+            sigma[0 * 8 + j] = t8;
+            const real t9 = t6 * t5 + t0 * t7;
+            sigma[1 * 8 + j] = t9;
+            const real t10 = e_0 * t7 + e_1 * t5;
+            const real t11 = e_0 * t5 + e_1 * t7;
+            U[0 * 8 + j] = 0.5 * (e_0 * t10 + e_1 * t11);
+            const real t12 = e_0 * (ed_0 * t7 + ed_1 * t5) + e_1 * (ed_0 * t5 + ed_1 * t7);
+            P[0 * 8 + j] = ed_0 * (t8 - 0.5 * t10) + ed_1 * (t9 - 0.5 * t11) - 0.5 * t12;
+        }
+    }
+}
+
+/* tangent: 15 operations.
+ * in:  e (2), ed (2), s (0), z (0), t (1), p (4)
+ * out: J (2,4) */
+FLEXEL_CLONES
+static void beam_bimoment_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict p = in[5] + b * (4 * 8);
+        real *restrict J = out[0] + b * (8 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real l0 = p[0 * 8 + j];
+            const real t0 = 1.0 / l0;
+            const real t1 = t0 * t0;
+            const real EIw = p[2 * 8 + j];
+            const real t2 = t1 * t1 * t0 * EIw;
+            const real GJ = p[1 * 8 + j];
+            const real t3 = t0 * t1 * GJ;
+            const real t4 = 4.0 * t2 + 0.13333333333333333 * t3;
+            J[0 * 8 + j] = J[5 * 8 + j] = t4; /* J(0,0) J(1,1) */
+            const real bimoment = 2.0 * t2;
+            const real twisting = 0.03333333333333333 * t3;
+            const real t5 = bimoment - twisting;
+            J[1 * 8 + j] = J[4 * 8 + j] = t5; /* J(0,1) J(1,0) */
+            const real damping = p[3 * 8 + j];
+            J[2 * 8 + j] = J[7 * 8 + j] = damping * t4; /* J(0,2) J(1,3) */
+            J[3 * 8 + j] = J[6 * 8 + j] = damping * t5; /* J(0,3) J(1,2) */
+        }
+    }
+}
+
+const flexel_law flexel_law_beam_bimoment = {
+    .name = "beam_bimoment",
+    .digest = "9aaaea561a751a9c",
+    .m = 2,
+    .k = 0,
+    .nz = 0,
+    .np = 4,
+    .law = beam_bimoment_law,
+    .tangent = beam_bimoment_tangent,
+};
+
+/* planar_cable_stiffness
+ *
+ * sigma = EA l0 (1, 1/3, 1/5) (e + damping ed) of the strains,
+ * sigma = EI l0 (5, 8, 5)/18 (e + bending_damping ed) of the curvatures at the three points
+ * energy = sum of EA l0 (1, 1/3, 1/5) e^2/2 and EI l0 (5, 8, 5)/18 e^2/2
+ *
+ * Source: Gerstmayr and Shabana 2006, Nonlinear Dyn. 45:109; Kelvin-Voigt damping
+ *
+ * 6 deformations, 0 slips
+ * p (5):
+ *   l0 (1) [m]: undeformed length
+ *   EA (1) [N]: axial stiffness
+ *   EI (1) [N m^2]: bending stiffness
+ *   damping (1) [s]: ratio of damping to stiffness of stretching
+ *   bending_damping (1) [s]: ratio of damping to stiffness of bending */
+
+/* law: 76 operations.
+ * in:  e (6), ed (6), s (0), z (0), t (1), p (5)
+ * out: sigma (6), tau (0), zd (0), U (1), P (1) */
+FLEXEL_CLONES
+static void planar_cable_stiffness_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (6 * 8);
+        const real *restrict ed = in[1] + b * (6 * 8);
+        const real *restrict p = in[5] + b * (5 * 8);
+        real *restrict sigma = out[0] + b * (6 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real l0 = p[0 * 8 + j];
+            const real EA = p[1 * 8 + j];
+            const real axial = l0 * EA;
+            const real ed_0 = ed[0 * 8 + j];
+            const real damping = p[3 * 8 + j];
+            const real e_0 = e[0 * 8 + j];
+            const real t0 = axial * (e_0 + ed_0 * damping);
+            sigma[0 * 8 + j] = t0;
+            const real ed_1 = ed[1 * 8 + j];
+            const real e_1 = e[1 * 8 + j];
+            const real t1 = axial * (e_1 + ed_1 * damping);
+            sigma[1 * 8 + j] = 0.3333333333333333 * t1;
+            const real ed_2 = ed[2 * 8 + j];
+            const real e_2 = e[2 * 8 + j];
+            const real t2 = axial * (e_2 + ed_2 * damping);
+            sigma[2 * 8 + j] = 0.2 * t2;
+            const real EI = p[2 * 8 + j];
+            const real bending = l0 * EI;
+            const real ed_3 = ed[3 * 8 + j];
+            const real bending_damping = p[4 * 8 + j];
+            const real e_3 = e[3 * 8 + j];
+            const real t3 = bending * (e_3 + ed_3 * bending_damping);
+            sigma[3 * 8 + j] = 0.2777777777777778 * t3;
+            const real ed_4 = ed[4 * 8 + j];
+            const real e_4 = e[4 * 8 + j];
+            const real t4 = bending * (e_4 + ed_4 * bending_damping);
+            sigma[4 * 8 + j] = 0.4444444444444444 * t4;
+            const real ed_5 = ed[5 * 8 + j];
+            const real e_5 = e[5 * 8 + j];
+            const real t5 = bending * (e_5 + ed_5 * bending_damping);
+            sigma[5 * 8 + j] = 0.2777777777777778 * t5;
+            const real t6 = 0.1388888888888889 * (e_3 * e_3 + e_5 * e_5) + 0.2222222222222222 * (e_4 * e_4);
+            const real t7 = 0.5 * e_0 * e_0 + 0.1 * (e_2 * e_2) + 0.16666666666666666 * (e_1 * e_1);
+            U[0 * 8 + j] = bending * t6 + axial * t7;
+            const real t8 = 0.4444444444444444 * (ed_4 * t4) + 0.2777777777777778 * (ed_3 * t3 + ed_5 * t5);
+            const real t9 = 0.2 * (ed_2 * t2) + t8 + ed_0 * t0 + 0.3333333333333333 * (ed_1 * t1);
+            const real t10 = e_0 * ed_0 + 0.2 * (e_2 * ed_2) + 0.3333333333333333 * (e_1 * ed_1);
+            const real t11 = 0.4444444444444444 * (e_4 * ed_4) + 0.2777777777777778 * (e_3 * ed_3 + e_5 * ed_5);
+            P[0 * 8 + j] = t9 - axial * t10 - bending * t11;
+        }
+    }
+}
+
+/* tangent: 12 operations.
+ * in:  e (6), ed (6), s (0), z (0), t (1), p (5)
+ * out: J (6,12), 12 of 72 entries */
+FLEXEL_CLONES
+static void planar_cable_stiffness_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict p = in[5] + b * (5 * 8);
+        real *restrict J = out[0] + b * (12 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real l0 = p[0 * 8 + j];
+            const real EA = p[1 * 8 + j];
+            const real axial = l0 * EA;
+            J[0 * 8 + j] = axial; /* J(0,0) */
+            const real damping = p[3 * 8 + j];
+            const real t0 = damping * axial;
+            J[1 * 8 + j] = t0; /* J(0,6) */
+            J[2 * 8 + j] = 0.3333333333333333 * axial; /* J(1,1) */
+            J[3 * 8 + j] = 0.3333333333333333 * t0; /* J(1,7) */
+            J[4 * 8 + j] = 0.2 * axial; /* J(2,2) */
+            J[5 * 8 + j] = 0.2 * t0; /* J(2,8) */
+            const real EI = p[2 * 8 + j];
+            const real bending = l0 * EI;
+            J[6 * 8 + j] = J[10 * 8 + j] = 0.2777777777777778 * bending; /* J(3,3) J(5,5) */
+            const real bending_damping = p[4 * 8 + j];
+            const real t1 = bending_damping * bending;
+            J[7 * 8 + j] = J[11 * 8 + j] = 0.2777777777777778 * t1; /* J(3,9) J(5,11) */
+            J[8 * 8 + j] = 0.4444444444444444 * bending; /* J(4,4) */
+            J[9 * 8 + j] = 0.4444444444444444 * t1; /* J(4,10) */
+        }
+    }
+}
+
+const flexel_law flexel_law_planar_cable_stiffness = {
+    .name = "planar_cable_stiffness",
+    .digest = "9aaaea561a751a9c",
+    .m = 6,
+    .k = 0,
+    .nz = 0,
+    .np = 5,
+    .law = planar_cable_stiffness_law,
+    .tangent = planar_cable_stiffness_tangent,
+};
+
+/* cable_stiffness
+ *
+ * sigma = EA l0 (1, 1/3, 1/5) (e + damping ed) of the strains,
+ * sigma = EI l0 (5, 8, 5)/18 (e + bending_damping ed) of the curvatures at the three points
+ * energy = sum of EA l0 (1, 1/3, 1/5) e^2/2 and EI l0 (5, 8, 5)/18 e^2/2
+ *
+ * Source: Gerstmayr and Shabana 2006, Nonlinear Dyn. 45:109; Kelvin-Voigt damping
+ *
+ * 12 deformations, 0 slips
+ * p (5):
+ *   l0 (1) [m]: undeformed length
+ *   EA (1) [N]: axial stiffness
+ *   EI (1) [N m^2]: bending stiffness
+ *   damping (1) [s]: ratio of damping to stiffness of stretching
+ *   bending_damping (1) [s]: ratio of damping to stiffness of bending */
+
+/* law: 136 operations.
+ * in:  e (12), ed (12), s (0), z (0), t (1), p (5)
+ * out: sigma (12), tau (0), zd (0), U (1), P (1) */
+FLEXEL_CLONES
+static void cable_stiffness_law(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict e = in[0] + b * (12 * 8);
+        const real *restrict ed = in[1] + b * (12 * 8);
+        const real *restrict p = in[5] + b * (5 * 8);
+        real *restrict sigma = out[0] + b * (12 * 8);
+        real *restrict U = out[3] + b * (1 * 8);
+        real *restrict P = out[4] + b * (1 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real l0 = p[0 * 8 + j];
+            const real EA = p[1 * 8 + j];
+            const real axial = l0 * EA;
+            const real ed_0 = ed[0 * 8 + j];
+            const real damping = p[3 * 8 + j];
+            const real e_0 = e[0 * 8 + j];
+            const real t0 = axial * (e_0 + ed_0 * damping);
+            sigma[0 * 8 + j] = t0;
+            const real ed_1 = ed[1 * 8 + j];
+            const real e_1 = e[1 * 8 + j];
+            const real t1 = axial * (e_1 + ed_1 * damping);
+            sigma[1 * 8 + j] = 0.3333333333333333 * t1;
+            const real ed_2 = ed[2 * 8 + j];
+            const real e_2 = e[2 * 8 + j];
+            const real t2 = axial * (e_2 + ed_2 * damping);
+            sigma[2 * 8 + j] = 0.2 * t2;
+            const real EI = p[2 * 8 + j];
+            const real bending = l0 * EI;
+            const real ed_3 = ed[3 * 8 + j];
+            const real bending_damping = p[4 * 8 + j];
+            const real e_3 = e[3 * 8 + j];
+            const real t3 = bending * (e_3 + ed_3 * bending_damping);
+            sigma[3 * 8 + j] = 0.2777777777777778 * t3;
+            const real ed_4 = ed[4 * 8 + j];
+            const real e_4 = e[4 * 8 + j];
+            const real t4 = bending * (e_4 + ed_4 * bending_damping);
+            sigma[4 * 8 + j] = 0.2777777777777778 * t4;
+            const real ed_5 = ed[5 * 8 + j];
+            const real e_5 = e[5 * 8 + j];
+            const real t5 = bending * (e_5 + ed_5 * bending_damping);
+            sigma[5 * 8 + j] = 0.2777777777777778 * t5;
+            const real ed_6 = ed[6 * 8 + j];
+            const real e_6 = e[6 * 8 + j];
+            const real t6 = bending * (e_6 + ed_6 * bending_damping);
+            sigma[6 * 8 + j] = 0.4444444444444444 * t6;
+            const real ed_7 = ed[7 * 8 + j];
+            const real e_7 = e[7 * 8 + j];
+            const real t7 = bending * (e_7 + ed_7 * bending_damping);
+            sigma[7 * 8 + j] = 0.4444444444444444 * t7;
+            const real ed_8 = ed[8 * 8 + j];
+            const real e_8 = e[8 * 8 + j];
+            const real t8 = bending * (e_8 + ed_8 * bending_damping);
+            sigma[8 * 8 + j] = 0.4444444444444444 * t8;
+            const real ed_9 = ed[9 * 8 + j];
+            const real e_9 = e[9 * 8 + j];
+            const real t9 = bending * (e_9 + ed_9 * bending_damping);
+            sigma[9 * 8 + j] = 0.2777777777777778 * t9;
+            const real ed_10 = ed[10 * 8 + j];
+            const real e_10 = e[10 * 8 + j];
+            const real t10 = bending * (e_10 + ed_10 * bending_damping);
+            sigma[10 * 8 + j] = 0.2777777777777778 * t10;
+            const real ed_11 = ed[11 * 8 + j];
+            const real e_11 = e[11 * 8 + j];
+            const real t11 = bending * (e_11 + ed_11 * bending_damping);
+            sigma[11 * 8 + j] = 0.2777777777777778 * t11;
+            const real t12 = 0.5 * e_0 * e_0 + 0.1 * (e_2 * e_2) + 0.16666666666666666 * (e_1 * e_1);
+            const real t13 = e_5 * e_5 + e_9 * e_9 + e_4 * e_4 + e_3 * e_3 + e_10 * e_10;
+            const real t14 = 0.1388888888888889 * (e_11 * e_11 + t13) + 0.2222222222222222 * (e_6 * e_6 + e_8 * e_8
+                + e_7 * e_7);
+            U[0 * 8 + j] = axial * t12 + bending * t14;
+            const real t15 = ed_10 * t10 + ed_11 * t11 + ed_9 * t9 + ed_5 * t5 + ed_4 * t4;
+            const real t16 = 0.2777777777777778 * (ed_3 * t3 + t15) + 0.4444444444444444 * (ed_7 * t7 + ed_8 * t8
+                + ed_6 * t6);
+            const real t17 = 0.2 * (ed_2 * t2) + t16 + ed_0 * t0 + 0.3333333333333333 * (ed_1 * t1);
+            const real t18 = e_0 * ed_0 + 0.2 * (e_2 * ed_2) + 0.3333333333333333 * (e_1 * ed_1);
+            const real t19 = e_5 * ed_5 + e_9 * ed_9 + e_4 * ed_4 + e_3 * ed_3 + e_10 * ed_10;
+            const real t20 = 0.4444444444444444 * (e_6 * ed_6 + e_8 * ed_8 + e_7 * ed_7);
+            const real t21 = bending * (0.2777777777777778 * (e_11 * ed_11 + t19) + t20);
+            P[0 * 8 + j] = t17 - axial * t18 - t21;
+        }
+    }
+}
+
+/* tangent: 12 operations.
+ * in:  e (12), ed (12), s (0), z (0), t (1), p (5)
+ * out: J (12,24), 24 of 288 entries */
+FLEXEL_CLONES
+static void cable_stiffness_tangent(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict p = in[5] + b * (5 * 8);
+        real *restrict J = out[0] + b * (24 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real l0 = p[0 * 8 + j];
+            const real EA = p[1 * 8 + j];
+            const real axial = l0 * EA;
+            J[0 * 8 + j] = axial; /* J(0,0) */
+            const real damping = p[3 * 8 + j];
+            const real t0 = damping * axial;
+            J[1 * 8 + j] = t0; /* J(0,12) */
+            J[2 * 8 + j] = 0.3333333333333333 * axial; /* J(1,1) */
+            J[3 * 8 + j] = 0.3333333333333333 * t0; /* J(1,13) */
+            J[4 * 8 + j] = 0.2 * axial; /* J(2,2) */
+            J[5 * 8 + j] = 0.2 * t0; /* J(2,14) */
+            const real EI = p[2 * 8 + j];
+            const real bending = l0 * EI;
+            J[6 * 8 + j] = J[8 * 8 + j] = J[10 * 8 + j] = J[18 * 8 + j] = J[20 * 8 + j] = J[22 * 8 + j]
+                = 0.2777777777777778 * bending; /* J(3,3) J(4,4) J(5,5) J(9,9) J(10,10) J(11,11) */
+            const real bending_damping = p[4 * 8 + j];
+            const real t1 = bending_damping * bending;
+            J[7 * 8 + j] = J[9 * 8 + j] = J[11 * 8 + j] = J[19 * 8 + j] = J[21 * 8 + j] = J[23 * 8 + j]
+                = 0.2777777777777778 * t1; /* J(3,15) J(4,16) J(5,17) J(9,21) J(10,22) J(11,23) */
+            J[12 * 8 + j] = J[14 * 8 + j] = J[16 * 8 + j] = 0.4444444444444444 * bending; /* J(6,6) J(7,7) J(8,8) */
+            J[13 * 8 + j] = J[15 * 8 + j] = J[17 * 8 + j] = 0.4444444444444444 * t1; /* J(6,18) J(7,19) J(8,20) */
+        }
+    }
+}
+
+const flexel_law flexel_law_cable_stiffness = {
+    .name = "cable_stiffness",
+    .digest = "9aaaea561a751a9c",
+    .m = 12,
+    .k = 0,
+    .nz = 0,
+    .np = 5,
+    .law = cable_stiffness_law,
+    .tangent = cable_stiffness_tangent,
 };
 
 /* spring_curve
@@ -1901,7 +2270,7 @@ static void spring_curve_tangent(size_t nblocks, const real *const *in, real *co
 
 const flexel_law flexel_law_spring_curve = {
     .name = "spring_curve",
-    .digest = "1bb4fefea9bf7461",
+    .digest = "9aaaea561a751a9c",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -2317,7 +2686,7 @@ static void damper_curve_tangent(size_t nblocks, const real *const *in, real *co
 
 const flexel_law flexel_law_damper_curve = {
     .name = "damper_curve",
-    .digest = "1bb4fefea9bf7461",
+    .digest = "9aaaea561a751a9c",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -2398,7 +2767,7 @@ static void stop_tangent(size_t nblocks, const real *const *in, real *const *out
 
 const flexel_law flexel_law_stop = {
     .name = "stop",
-    .digest = "1bb4fefea9bf7461",
+    .digest = "9aaaea561a751a9c",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -2474,7 +2843,7 @@ static void vertical_tyre_tangent(size_t nblocks, const real *const *in, real *c
 
 const flexel_law flexel_law_vertical_tyre = {
     .name = "vertical_tyre",
-    .digest = "1bb4fefea9bf7461",
+    .digest = "9aaaea561a751a9c",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -2634,7 +3003,7 @@ static void linear_tyre_tangent(size_t nblocks, const real *const *in, real *con
 
 const flexel_law flexel_law_linear_tyre = {
     .name = "linear_tyre",
-    .digest = "1bb4fefea9bf7461",
+    .digest = "9aaaea561a751a9c",
     .m = 2,
     .k = 4,
     .nz = 0,
@@ -2871,7 +3240,7 @@ static void calspan_tyre_tangent(size_t nblocks, const real *const *in, real *co
 
 const flexel_law flexel_law_calspan_tyre = {
     .name = "calspan_tyre",
-    .digest = "1bb4fefea9bf7461",
+    .digest = "9aaaea561a751a9c",
     .m = 2,
     .k = 4,
     .nz = 0,
@@ -3211,7 +3580,7 @@ static void magic_formula_tangent(size_t nblocks, const real *const *in, real *c
 
 const flexel_law flexel_law_magic_formula = {
     .name = "magic_formula",
-    .digest = "1bb4fefea9bf7461",
+    .digest = "9aaaea561a751a9c",
     .m = 2,
     .k = 5,
     .nz = 2,
@@ -3324,7 +3693,7 @@ static void hertz_tangent(size_t nblocks, const real *const *in, real *const *ou
 
 const flexel_law flexel_law_hertz = {
     .name = "hertz",
-    .digest = "1bb4fefea9bf7461",
+    .digest = "9aaaea561a751a9c",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -3468,7 +3837,7 @@ static void hertz_coulomb_1_tangent(size_t nblocks, const real *const *in, real 
 
 const flexel_law flexel_law_hertz_coulomb_1 = {
     .name = "hertz_coulomb_1",
-    .digest = "1bb4fefea9bf7461",
+    .digest = "9aaaea561a751a9c",
     .m = 1,
     .k = 1,
     .nz = 0,
@@ -3632,7 +4001,7 @@ static void hertz_coulomb_2_tangent(size_t nblocks, const real *const *in, real 
 
 const flexel_law flexel_law_hertz_coulomb_2 = {
     .name = "hertz_coulomb_2",
-    .digest = "1bb4fefea9bf7461",
+    .digest = "9aaaea561a751a9c",
     .m = 1,
     .k = 2,
     .nz = 0,
@@ -3810,7 +4179,7 @@ static void hertz_bristle_1_tangent(size_t nblocks, const real *const *in, real 
 
 const flexel_law flexel_law_hertz_bristle_1 = {
     .name = "hertz_bristle_1",
-    .digest = "1bb4fefea9bf7461",
+    .digest = "9aaaea561a751a9c",
     .m = 1,
     .k = 1,
     .nz = 1,
@@ -4015,7 +4384,7 @@ static void hertz_bristle_2_tangent(size_t nblocks, const real *const *in, real 
 
 const flexel_law flexel_law_hertz_bristle_2 = {
     .name = "hertz_bristle_2",
-    .digest = "1bb4fefea9bf7461",
+    .digest = "9aaaea561a751a9c",
     .m = 1,
     .k = 2,
     .nz = 2,
@@ -4125,7 +4494,7 @@ static void journal_tangent(size_t nblocks, const real *const *in, real *const *
 
 const flexel_law flexel_law_journal = {
     .name = "journal",
-    .digest = "1bb4fefea9bf7461",
+    .digest = "9aaaea561a751a9c",
     .m = 3,
     .k = 0,
     .nz = 0,
@@ -4192,7 +4561,7 @@ static void friction_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_friction = {
     .name = "friction",
-    .digest = "1bb4fefea9bf7461",
+    .digest = "9aaaea561a751a9c",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -4259,7 +4628,7 @@ static void slip_friction_tangent(size_t nblocks, const real *const *in, real *c
 
 const flexel_law flexel_law_slip_friction = {
     .name = "slip_friction",
-    .digest = "1bb4fefea9bf7461",
+    .digest = "9aaaea561a751a9c",
     .m = 0,
     .k = 1,
     .nz = 0,
@@ -4354,7 +4723,7 @@ static void limits_tangent(size_t nblocks, const real *const *in, real *const *o
 
 const flexel_law flexel_law_limits = {
     .name = "limits",
-    .digest = "1bb4fefea9bf7461",
+    .digest = "9aaaea561a751a9c",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -4503,7 +4872,7 @@ static void loose_journal_tangent(size_t nblocks, const real *const *in, real *c
 
 const flexel_law flexel_law_loose_journal = {
     .name = "loose_journal",
-    .digest = "1bb4fefea9bf7461",
+    .digest = "9aaaea561a751a9c",
     .m = 3,
     .k = 0,
     .nz = 0,
@@ -4647,7 +5016,7 @@ static void loose_ball_tangent(size_t nblocks, const real *const *in, real *cons
 
 const flexel_law flexel_law_loose_ball = {
     .name = "loose_ball",
-    .digest = "1bb4fefea9bf7461",
+    .digest = "9aaaea561a751a9c",
     .m = 3,
     .k = 0,
     .nz = 0,
@@ -4704,7 +5073,7 @@ static void held_tangent(size_t nblocks, const real *const *in, real *const *out
 
 const flexel_law flexel_law_held = {
     .name = "held",
-    .digest = "1bb4fefea9bf7461",
+    .digest = "9aaaea561a751a9c",
     .m = 1,
     .k = 0,
     .nz = 1,
@@ -4761,7 +5130,7 @@ static void slip_held_tangent(size_t nblocks, const real *const *in, real *const
 
 const flexel_law flexel_law_slip_held = {
     .name = "slip_held",
-    .digest = "1bb4fefea9bf7461",
+    .digest = "9aaaea561a751a9c",
     .m = 0,
     .k = 1,
     .nz = 1,
@@ -4799,7 +5168,7 @@ static void memory_tangent(size_t nblocks, const real *const *in, real *const *o
 
 const flexel_law flexel_law_memory = {
     .name = "memory",
-    .digest = "1bb4fefea9bf7461",
+    .digest = "9aaaea561a751a9c",
     .m = 0,
     .k = 0,
     .nz = 1,

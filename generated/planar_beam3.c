@@ -4,6 +4,7 @@
  * along = ex.d - d0_x,  across = ey.d - d0_y
  * T = rhoA l0/6 (vp.vp + vp.vq + vq.vq) + l0/2 rhoJ angledot^2, uniform bar
  * U = -rhoA l0 gravity.(xp + xq)/2
+ * axes: the directions in rows;  displacement: the deformations that are lengths
  *
  * Source: planar counterpart of beam3
  *
@@ -246,7 +247,7 @@ static void planar_beam3_stiffness(size_t nblocks, const real *const *in, real *
         const real *restrict sigma = in[1] + b * (2 * 8);
         const real *restrict p = in[3] + b * (8 * 8);
         real *restrict K = out[0] + b * (9 * 8);
-        real t0[8], cos_p[8], sin_p[8], t3[8], t4[8];
+        real t0[8], cos_p[8], sin_p[8], t1[8], t2[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real rp_angle = x[2 * 8 + j];
@@ -260,8 +261,8 @@ static void planar_beam3_stiffness(size_t nblocks, const real *const *in, real *
             const real p_x = x[0 * 8 + j];
             const real d_x = q_x - p_x;
             const real sigma_across = sigma[1 * 8 + j];
-            t3[j] = d_y * sigma_along - d_x * sigma_across;
-            t4[j] = d_y * sigma_across + d_x * sigma_along;
+            t1[j] = d_y * sigma_along - d_x * sigma_across;
+            t2[j] = d_y * sigma_across + d_x * sigma_along;
         }
         for (size_t j = 0; j < 8; j++) {
             cos_p[j] = real_cos(t0[j]);
@@ -271,13 +272,13 @@ static void planar_beam3_stiffness(size_t nblocks, const real *const *in, real *
         for (size_t j = 0; j < 8; j++) {
             const real sigma_across = sigma[1 * 8 + j];
             const real sigma_along = sigma[0 * 8 + j];
-            const real t1 = cos_p[j] * sigma_across + sin_p[j] * sigma_along;
-            K[0 * 8 + j] = K[2 * 8 + j] = t1; /* K(0,2) K(2,0) */
-            const real t2 = cos_p[j] * sigma_along - sin_p[j] * sigma_across;
-            K[6 * 8 + j] = K[8 * 8 + j] = t2; /* K(2,4) K(4,2) */
-            K[1 * 8 + j] = K[3 * 8 + j] = -t2; /* K(1,2) K(2,1) */
-            K[4 * 8 + j] = -(sin_p[j] * t3[j] + cos_p[j] * t4[j]); /* K(2,2) */
-            K[5 * 8 + j] = K[7 * 8 + j] = -t1; /* K(2,3) K(3,2) */
+            const real q_fy = cos_p[j] * sigma_across + sin_p[j] * sigma_along;
+            K[0 * 8 + j] = K[2 * 8 + j] = q_fy; /* K(0,2) K(2,0) */
+            const real q_fx = cos_p[j] * sigma_along - sin_p[j] * sigma_across;
+            K[6 * 8 + j] = K[8 * 8 + j] = q_fx; /* K(2,4) K(4,2) */
+            K[1 * 8 + j] = K[3 * 8 + j] = -q_fx; /* K(1,2) K(2,1) */
+            K[4 * 8 + j] = -(sin_p[j] * t1[j] + cos_p[j] * t2[j]); /* K(2,2) */
+            K[5 * 8 + j] = K[7 * 8 + j] = -q_fy; /* K(2,3) K(3,2) */
         }
     }
 }
@@ -328,9 +329,50 @@ static void planar_beam3_tangent(size_t nblocks, const real *const *in, real *co
     (void)nblocks, (void)in, (void)out; /* every entry is zero */
 }
 
+/* outputs: 14 operations.
+ * in:  x (5), sigma (2), tau (0), p (8)
+ * out: axes (2,2), displacement (2) */
+FLEXEL_CLONES
+static void planar_beam3_outputs(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (5 * 8);
+        const real *restrict p = in[3] + b * (8 * 8);
+        real *restrict axes = out[0] + b * (4 * 8);
+        real *restrict displacement = out[1] + b * (2 * 8);
+        real t0[8], cos_p[8], sin_p[8], d_x[8], d_y[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real rp_angle = x[2 * 8 + j];
+            const real alpha0 = p[0 * 8 + j];
+            t0[j] = rp_angle + alpha0;
+            const real q_x = x[3 * 8 + j];
+            const real p_x = x[0 * 8 + j];
+            d_x[j] = q_x - p_x;
+            const real q_y = x[4 * 8 + j];
+            const real p_y = x[1 * 8 + j];
+            d_y[j] = q_y - p_y;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            cos_p[j] = real_cos(t0[j]);
+            axes[0 * 8 + j] = axes[3 * 8 + j] = cos_p[j]; /* axes(0,0) axes(1,1) */
+            sin_p[j] = real_sin(t0[j]);
+            axes[1 * 8 + j] = sin_p[j]; /* axes(0,1) */
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            axes[2 * 8 + j] = -sin_p[j]; /* axes(1,0) */
+            const real d0_x = p[1 * 8 + j];
+            displacement[0 * 8 + j] = cos_p[j] * d_x[j] + sin_p[j] * d_y[j] - d0_x;
+            const real d0_y = p[2 * 8 + j];
+            displacement[1 * 8 + j] = cos_p[j] * d_y[j] - d0_y - sin_p[j] * d_x[j];
+        }
+    }
+}
+
 const flexel_element flexel_planar_beam3 = {
     .name = "planar_beam3",
-    .digest = "fdc7aab0023accfd",
+    .digest = "c4683b4228b4747e",
     .n = 5,
     .m = 2,
     .k = 0,
@@ -342,4 +384,5 @@ const flexel_element flexel_planar_beam3 = {
     .stiffness = planar_beam3_stiffness,
     .inertia = planar_beam3_inertia,
     .tangent = planar_beam3_tangent,
+    .outputs = planar_beam3_outputs,
 };

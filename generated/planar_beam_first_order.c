@@ -3,9 +3,14 @@
  * ex, ey: directions of the element at p (angle_p + alpha0) and q (angle_q + alphaq0)
  * d = xq - xp, l = |d|, el = d/l;  b1 = l - l0,  b5 = l0 ey_p.el,  b6 = -l0 ey_q.el
  * elongation = b1,  bend1 = b5,  bend2 = b6
+ * phi_y = 12 EIz/(GAy l0^2): shear number
  * T: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with
- *    the shear-corrected (phi_z) cubic shapes
+ *    the shear-corrected (phi_y) cubic shapes
  * U = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)
+ * f = De'sigma: force_p, moment_p = -(ex_p.f_xp, ey_p.f_xp), -f_angle_p; force_q, moment_q the same at q, without
+ *   minus
+ * axis: places on the cubic axis; across: ey_p, ey_q
+ * shear_angle = |phi_y/(1 + phi_y) (bend1 - bend2)|/(2 l0)
  *
  * Source: SPACAR95 manual (Schwab and Meijaard 2000), PLBEAM, PLBEAMNL; signs of the spatial beam's b5, b6; Meijaard
  *   1996, Nonlinear Dyn. 9
@@ -13,25 +18,26 @@
  * x (6): p_x, p_y, rp_angle, q_x, q_y, rq_angle
  * e (3): elongation [m], bend1 [m], bend2 [m]
  * s (0): none
- * p (8):
+ * p (9):
  *   l0 (1) [m]: undeformed length
  *   alpha0 (1) [rad]: initial direction of the element minus the angle of node p
  *   alphaq0 (1) [rad]: initial direction of the element minus the angle of node q
  *   rhoA (1) [kg/m]: mass per length
  *   rhoJ (1) [kg m]: mass moment of inertia of the section per length
- *   phi_z (1) [1]: shear number of the deflection in the plane, 12 E I/(k G A l0^2)
+ *   EIz (1) [N m^2]: bending stiffness about z, of the deflection in y
+ *   GAy (1) [N]: shear stiffness k G A of the deflection in y; very large without shear
  *   gravity (2) [m/s^2]: acceleration of gravity */
 #include "kernels.h"
 
 /* position: 65 operations.
- * in:  x (6), p (8)
+ * in:  x (6), p (9)
  * out: e (3), De (3,6), 14 of 18 entries, V (0,6) */
 FLEXEL_CLONES
 static void planar_beam_first_order_position(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict x = in[0] + b * (6 * 8);
-        const real *restrict p = in[1] + b * (8 * 8);
+        const real *restrict p = in[1] + b * (9 * 8);
         real *restrict e = out[0] + b * (3 * 8);
         real *restrict De = out[1] + b * (14 * 8);
         real t0[8], cos_p[8], el_y[8], sin_p[8], el_x[8], t2[8], cos_q[8], sin_q[8], t5[8], t6[8], t9[8], t10[8];
@@ -98,7 +104,7 @@ static void planar_beam_first_order_position(size_t nblocks, const real *const *
 }
 
 /* acceleration: 84 operations.
- * in:  x (6), v (6), p (8)
+ * in:  x (6), v (6), p (9)
  * out: g (3), gs (0) */
 FLEXEL_CLONES
 static void planar_beam_first_order_acceleration(size_t nblocks, const real *const *in, real *const *out)
@@ -106,7 +112,7 @@ static void planar_beam_first_order_acceleration(size_t nblocks, const real *con
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict x = in[0] + b * (6 * 8);
         const real *restrict v = in[1] + b * (6 * 8);
-        const real *restrict p = in[2] + b * (8 * 8);
+        const real *restrict p = in[2] + b * (9 * 8);
         real *restrict g = out[0] + b * (3 * 8);
         real el_y[8], t8[8], cos_p[8], el_x[8], sin_p[8], t12[8], t13[8], t14[8], t15[8], t17[8], cos_q[8], sin_q[8];
 #pragma omp simd
@@ -169,7 +175,7 @@ static void planar_beam_first_order_acceleration(size_t nblocks, const real *con
 }
 
 /* rates: 130 operations.
- * in:  x (6), v (6), p (8)
+ * in:  x (6), v (6), p (9)
  * out: Phi_x (3,6), 14 of 18 entries */
 FLEXEL_CLONES
 static void planar_beam_first_order_rates(size_t nblocks, const real *const *in, real *const *out)
@@ -177,7 +183,7 @@ static void planar_beam_first_order_rates(size_t nblocks, const real *const *in,
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict x = in[0] + b * (6 * 8);
         const real *restrict v = in[1] + b * (6 * 8);
-        const real *restrict p = in[2] + b * (8 * 8);
+        const real *restrict p = in[2] + b * (9 * 8);
         real *restrict Phi_x = out[0] + b * (14 * 8);
         real el_x[8], el_y[8], t11[8], cos_p[8], t15[8], t16[8], sin_p[8], t18[8], t22[8], t26[8], t27[8], t28[8],
             t29[8], t32[8], t33[8], t35[8], cos_q[8], sin_q[8];
@@ -274,7 +280,7 @@ static void planar_beam_first_order_rates(size_t nblocks, const real *const *in,
 }
 
 /* kinematics: 448 operations.
- * in:  x (6), v (6), a (6), p (8)
+ * in:  x (6), v (6), a (6), p (9)
  * out: Psi_x (3,6), 14 of 18 entries, Psi_v (3,6), 14 of 18 entries */
 FLEXEL_CLONES
 static void planar_beam_first_order_kinematics(size_t nblocks, const real *const *in, real *const *out)
@@ -283,7 +289,7 @@ static void planar_beam_first_order_kinematics(size_t nblocks, const real *const
         const real *restrict x = in[0] + b * (6 * 8);
         const real *restrict v = in[1] + b * (6 * 8);
         const real *restrict a = in[2] + b * (6 * 8);
-        const real *restrict p = in[3] + b * (8 * 8);
+        const real *restrict p = in[3] + b * (9 * 8);
         real *restrict Psi_x = out[0] + b * (14 * 8);
         real *restrict Psi_v = out[1] + b * (14 * 8);
         real d_x[8], d_y[8], t0[8], t1[8], t3[8], t5[8], t8[8], t11[8], t13[8], t15[8], t19[8], t25[8], t26[8],
@@ -483,7 +489,7 @@ static void planar_beam_first_order_kinematics(size_t nblocks, const real *const
 }
 
 /* stiffness: 84 operations.
- * in:  x (6), sigma (3), tau (0), p (8)
+ * in:  x (6), sigma (3), tau (0), p (9)
  * out: K (6,6), 34 of 36 entries */
 FLEXEL_CLONES
 static void planar_beam_first_order_stiffness(size_t nblocks, const real *const *in, real *const *out)
@@ -491,7 +497,7 @@ static void planar_beam_first_order_stiffness(size_t nblocks, const real *const 
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict x = in[0] + b * (6 * 8);
         const real *restrict sigma = in[1] + b * (3 * 8);
-        const real *restrict p = in[3] + b * (8 * 8);
+        const real *restrict p = in[3] + b * (9 * 8);
         real *restrict K = out[0] + b * (34 * 8);
         real d_x[8], d_y[8], t0[8], t1[8], t2[8], cos_p[8], t3[8], t5[8], cos_q[8], t6[8], sin_q[8], sin_p[8], t15[8],
             t16[8], t21[8], el_y[8], el_x[8];
@@ -573,8 +579,8 @@ static void planar_beam_first_order_stiffness(size_t nblocks, const real *const 
     }
 }
 
-/* inertia: 313 operations.
- * in:  x (6), v (6), p (8)
+/* inertia: 321 operations.
+ * in:  x (6), v (6), p (9)
  * out: M (6,6), h (6), f (6), U (1) */
 FLEXEL_CLONES
 static void planar_beam_first_order_inertia(size_t nblocks, const real *const *in, real *const *out)
@@ -582,15 +588,15 @@ static void planar_beam_first_order_inertia(size_t nblocks, const real *const *i
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict x = in[0] + b * (6 * 8);
         const real *restrict v = in[1] + b * (6 * 8);
-        const real *restrict p = in[2] + b * (8 * 8);
+        const real *restrict p = in[2] + b * (9 * 8);
         real *restrict M = out[0] + b * (36 * 8);
         real *restrict h = out[1] + b * (6 * 8);
         real *restrict f = out[2] + b * (6 * 8);
         real *restrict U = out[3] + b * (1 * 8);
-        real t0[8], t1[8], t2[8], sin_p[8], t3[8], sin_q[8], d_x[8], d_y[8], t5[8], t7[8], t8[8], cos_p[8], cos_q[8],
-            t14[8], t15[8], t17[8], t19[8], t25[8], t28[8], t30[8], t39[8], t40[8], t42[8], t45[8], t46[8], t58[8],
-            t61[8], t65[8], t67[8], t68[8], t69[8], t72[8], t73[8], t78[8], t80[8], t81[8], t86[8], t88[8], t89[8],
-            t90[8], t95[8], t99[8], t100[8], t101[8], t103[8];
+        real t0[8], t1[8], t2[8], sin_p[8], t3[8], sin_q[8], d_x[8], d_y[8], t5[8], t9[8], t10[8], cos_p[8], cos_q[8],
+            t16[8], t17[8], t19[8], t21[8], t27[8], t30[8], t32[8], t41[8], t42[8], t44[8], t47[8], t48[8], t60[8],
+            t63[8], t67[8], t69[8], t70[8], t71[8], t74[8], t75[8], t80[8], t82[8], t83[8], t88[8], t90[8], t91[8],
+            t92[8], t97[8], t101[8], t102[8], t103[8], t105[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real l0 = p[0 * 8 + j];
@@ -612,56 +618,60 @@ static void planar_beam_first_order_inertia(size_t nblocks, const real *const *i
             const real l = real_sqrt(d_x[j] * d_x[j] + d_y[j] * d_y[j]);
             t5[j] = 1.0 / l;
             const real t6 = t5[j] * t5[j];
-            const real phi_z = p[5 * 8 + j];
+            const real t7 = 1.0 / l0;
+            const real GAy = p[6 * 8 + j];
+            const real EIz = p[5 * 8 + j];
+            const real t8 = 1.0 / GAy * EIz * t7 * t7;
+            const real phi_y = 12.0 * t8;
             const real rhoJ = p[4 * 8 + j];
-            t7[j] = 1.0 / (1.0 + phi_z) * (1.0 / (1.0 + phi_z)) * l0 * rhoJ;
-            t8[j] = t6 * t7[j];
-            t14[j] = (phi_z - 0.2) * t7[j];
-            t15[j] = t5[j] * t14[j];
-            t17[j] = l0 * t0[j];
-            t19[j] = 0.12857142857142856 * t0[j];
-            t25[j] = l0 * l0 * t0[j];
-            const real t27 = phi_z * (0.16666666666666666 + 0.3333333333333333 * phi_z);
-            t28[j] = 0.5 * (0.13333333333333333 + t27) * t7[j];
-            const real t29 = 0.3333333333333333 * (phi_z * (phi_z - 1.0)) - 0.06666666666666667;
-            t30[j] = 0.5 * t29 * t7[j];
+            t9[j] = 1.0 / (1.0 + phi_y) * (1.0 / (1.0 + phi_y)) * l0 * rhoJ;
+            t10[j] = t6 * t9[j];
+            t16[j] = (phi_y - 0.2) * t9[j];
+            t17[j] = t5[j] * t16[j];
+            t19[j] = l0 * t0[j];
+            t21[j] = 0.12857142857142856 * t0[j];
+            t27[j] = l0 * l0 * t0[j];
+            const real t29 = 0.13333333333333333 + 12.0 * (t8 * (0.16666666666666666 + 4.0 * t8));
+            t30[j] = 0.5 * t29 * t9[j];
+            const real t31 = 24.0 * (t8 * (2.0 * t8 - 0.16666666666666666)) - 0.06666666666666667;
+            t32[j] = 0.5 * t31 * t9[j];
             const real q_vy = v[4 * 8 + j];
             const real p_vy = v[1 * 8 + j];
-            t39[j] = q_vy - p_vy;
+            t41[j] = q_vy - p_vy;
             const real q_vx = v[3 * 8 + j];
             const real p_vx = v[0 * 8 + j];
-            t40[j] = q_vx - p_vx;
+            t42[j] = q_vx - p_vx;
             const real rp_vangle = v[2 * 8 + j];
             const real rq_vangle = v[5 * 8 + j];
-            t42[j] = 0.25 * (rp_vangle + rq_vangle) * t14[j];
-            t45[j] = t5[j] * t6;
-            t46[j] = t45[j] * (d_x[j] * t40[j] + d_y[j] * t39[j]);
-            t58[j] = rq_vangle * t17[j];
-            t61[j] = rp_vangle * t17[j];
-            t65[j] = rp_vangle * t25[j];
-            t67[j] = rp_vangle * rp_vangle * t25[j];
-            t68[j] = 0.030952380952380953 * q_vy + 0.05238095238095238 * p_vy;
-            t69[j] = t61[j] * t68[j];
-            t72[j] = rq_vangle * t25[j];
-            t73[j] = rp_vangle * t72[j];
-            t78[j] = 0.030952380952380953 * q_vx + 0.05238095238095238 * p_vx;
-            t80[j] = t61[j] * t78[j];
-            t81[j] = rp_vangle * rq_vangle;
-            t86[j] = 0.05238095238095238 * q_vy + 0.030952380952380953 * p_vy;
-            t88[j] = 0.05238095238095238 * q_vx + 0.030952380952380953 * p_vx;
-            t89[j] = rq_vangle * rq_vangle * t25[j];
-            t90[j] = t58[j] * t86[j];
-            t95[j] = t58[j] * t88[j];
-            const real gravity_x = p[6 * 8 + j];
-            const real t97 = gravity_x * t0[j];
-            f[0 * 8 + j] = f[3 * 8 + j] = 0.5 * t97;
-            const real gravity_y = p[7 * 8 + j];
-            const real t98 = gravity_y * t0[j];
-            f[1 * 8 + j] = f[4 * 8 + j] = 0.5 * t98;
-            t99[j] = l0 * t98;
-            t100[j] = l0 * t97;
-            t101[j] = 0.5 * (p_x + q_x);
-            t103[j] = 0.5 * (p_y + q_y);
+            t44[j] = 0.25 * (rp_vangle + rq_vangle) * t16[j];
+            t47[j] = t5[j] * t6;
+            t48[j] = t47[j] * (d_x[j] * t42[j] + d_y[j] * t41[j]);
+            t60[j] = rq_vangle * t19[j];
+            t63[j] = rp_vangle * t19[j];
+            t67[j] = rp_vangle * t27[j];
+            t69[j] = rp_vangle * rp_vangle * t27[j];
+            t70[j] = 0.030952380952380953 * q_vy + 0.05238095238095238 * p_vy;
+            t71[j] = t63[j] * t70[j];
+            t74[j] = rq_vangle * t27[j];
+            t75[j] = rp_vangle * t74[j];
+            t80[j] = 0.030952380952380953 * q_vx + 0.05238095238095238 * p_vx;
+            t82[j] = t63[j] * t80[j];
+            t83[j] = rp_vangle * rq_vangle;
+            t88[j] = 0.05238095238095238 * q_vy + 0.030952380952380953 * p_vy;
+            t90[j] = 0.05238095238095238 * q_vx + 0.030952380952380953 * p_vx;
+            t91[j] = rq_vangle * rq_vangle * t27[j];
+            t92[j] = t60[j] * t88[j];
+            t97[j] = t60[j] * t90[j];
+            const real gravity_x = p[7 * 8 + j];
+            const real t99 = gravity_x * t0[j];
+            f[0 * 8 + j] = f[3 * 8 + j] = 0.5 * t99;
+            const real gravity_y = p[8 * 8 + j];
+            const real t100 = gravity_y * t0[j];
+            f[1 * 8 + j] = f[4 * 8 + j] = 0.5 * t100;
+            t101[j] = l0 * t100;
+            t102[j] = l0 * t99;
+            t103[j] = 0.5 * (p_x + q_x);
+            t105[j] = 0.5 * (p_y + q_y);
         }
         for (size_t j = 0; j < 8; j++) {
             sin_p[j] = real_sin(t2[j]);
@@ -672,106 +682,106 @@ static void planar_beam_first_order_inertia(size_t nblocks, const real *const *i
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real t4 = sin_p[j] + sin_q[j];
-            const real t9 = t4 * t8[j];
-            const real t10 = 0.3 * (t4 * t9);
-            M[0 * 8 + j] = M[21 * 8 + j] = t1[j] + t10; /* M(0,0) M(3,3) */
-            const real t11 = cos_p[j] + cos_q[j];
-            const real t12 = t11 * t8[j];
-            const real t13 = 0.3 * (t4 * t12);
-            M[4 * 8 + j] = M[24 * 8 + j] = t13; /* M(0,4) M(4,0) */
-            M[1 * 8 + j] = M[6 * 8 + j] = M[22 * 8 + j] = M[27 * 8 + j] = -t13; /* M(0,1) M(1,0) M(3,4) M(4,3) */
-            const real t16 = 0.25 * t4 * t15[j];
-            const real t18 = sin_p[j] * t17[j];
-            M[2 * 8 + j] = M[12 * 8 + j] = t16 - 0.05238095238095238 * t18; /* M(0,2) M(2,0) */
-            M[3 * 8 + j] = M[18 * 8 + j] = t19[j] - t10; /* M(0,3) M(3,0) */
-            const real t20 = sin_q[j] * t17[j];
-            M[5 * 8 + j] = M[30 * 8 + j] = 0.030952380952380953 * t20 + t16; /* M(0,5) M(5,0) */
-            const real t21 = 0.3 * (t11 * t12);
-            M[7 * 8 + j] = M[28 * 8 + j] = t1[j] + t21; /* M(1,1) M(4,4) */
-            const real t22 = cos_p[j] * t17[j];
-            const real t23 = 0.25 * t11 * t15[j];
-            M[8 * 8 + j] = M[13 * 8 + j] = 0.05238095238095238 * t22 - t23; /* M(1,2) M(2,1) */
-            M[9 * 8 + j] = M[19 * 8 + j] = 0.3 * (t11 * t9); /* M(1,3) M(3,1) */
-            M[10 * 8 + j] = M[25 * 8 + j] = t19[j] - t21; /* M(1,4) M(4,1) */
-            const real t24 = cos_q[j] * t17[j];
-            M[11 * 8 + j] = M[31 * 8 + j] = -(0.030952380952380953 * t24 + t23); /* M(1,5) M(5,1) */
-            const real t26 = 0.004761904761904762 * (t25[j] * (cos_p[j] * cos_p[j] + sin_p[j] * sin_p[j]));
-            M[14 * 8 + j] = 2.0 * (t26 + t28[j]); /* M(2,2) */
-            M[15 * 8 + j] = M[20 * 8 + j] = -(0.030952380952380953 * t18 + t16); /* M(2,3) M(3,2) */
-            M[16 * 8 + j] = M[26 * 8 + j] = 0.030952380952380953 * t22 + t23; /* M(2,4) M(4,2) */
-            const real t31 = sin_q[j] * t25[j];
-            const real t32 = 0.007142857142857143 * (sin_p[j] * t31 + cos_p[j] * cos_q[j] * t25[j]);
-            M[17 * 8 + j] = M[32 * 8 + j] = t30[j] - t32; /* M(2,5) M(5,2) */
-            M[23 * 8 + j] = M[33 * 8 + j] = 0.05238095238095238 * t20 - t16; /* M(3,5) M(5,3) */
-            M[29 * 8 + j] = M[34 * 8 + j] = t23 - 0.05238095238095238 * t24; /* M(4,5) M(5,4) */
-            const real t33 = 0.004761904761904762 * (t25[j] * (cos_q[j] * cos_q[j] + sin_q[j] * sin_q[j]));
-            M[35 * 8 + j] = 2.0 * (t33 + t28[j]); /* M(5,5) */
+            const real t11 = t4 * t10[j];
+            const real t12 = 0.3 * (t4 * t11);
+            M[0 * 8 + j] = M[21 * 8 + j] = t1[j] + t12; /* M(0,0) M(3,3) */
+            const real t13 = cos_p[j] + cos_q[j];
+            const real t14 = t13 * t10[j];
+            const real t15 = 0.3 * (t4 * t14);
+            M[4 * 8 + j] = M[24 * 8 + j] = t15; /* M(0,4) M(4,0) */
+            M[1 * 8 + j] = M[6 * 8 + j] = M[22 * 8 + j] = M[27 * 8 + j] = -t15; /* M(0,1) M(1,0) M(3,4) M(4,3) */
+            const real t18 = 0.25 * t4 * t17[j];
+            const real t20 = sin_p[j] * t19[j];
+            M[2 * 8 + j] = M[12 * 8 + j] = t18 - 0.05238095238095238 * t20; /* M(0,2) M(2,0) */
+            M[3 * 8 + j] = M[18 * 8 + j] = t21[j] - t12; /* M(0,3) M(3,0) */
+            const real t22 = sin_q[j] * t19[j];
+            M[5 * 8 + j] = M[30 * 8 + j] = 0.030952380952380953 * t22 + t18; /* M(0,5) M(5,0) */
+            const real t23 = 0.3 * (t13 * t14);
+            M[7 * 8 + j] = M[28 * 8 + j] = t1[j] + t23; /* M(1,1) M(4,4) */
+            const real t24 = cos_p[j] * t19[j];
+            const real t25 = 0.25 * t13 * t17[j];
+            M[8 * 8 + j] = M[13 * 8 + j] = 0.05238095238095238 * t24 - t25; /* M(1,2) M(2,1) */
+            M[9 * 8 + j] = M[19 * 8 + j] = 0.3 * (t13 * t11); /* M(1,3) M(3,1) */
+            M[10 * 8 + j] = M[25 * 8 + j] = t21[j] - t23; /* M(1,4) M(4,1) */
+            const real t26 = cos_q[j] * t19[j];
+            M[11 * 8 + j] = M[31 * 8 + j] = -(0.030952380952380953 * t26 + t25); /* M(1,5) M(5,1) */
+            const real t28 = 0.004761904761904762 * (t27[j] * (cos_p[j] * cos_p[j] + sin_p[j] * sin_p[j]));
+            M[14 * 8 + j] = 2.0 * (t28 + t30[j]); /* M(2,2) */
+            M[15 * 8 + j] = M[20 * 8 + j] = -(0.030952380952380953 * t20 + t18); /* M(2,3) M(3,2) */
+            M[16 * 8 + j] = M[26 * 8 + j] = 0.030952380952380953 * t24 + t25; /* M(2,4) M(4,2) */
+            const real t33 = sin_q[j] * t27[j];
+            const real t34 = 0.007142857142857143 * (sin_p[j] * t33 + cos_p[j] * cos_q[j] * t27[j]);
+            M[17 * 8 + j] = M[32 * 8 + j] = t32[j] - t34; /* M(2,5) M(5,2) */
+            M[23 * 8 + j] = M[33 * 8 + j] = 0.05238095238095238 * t22 - t18; /* M(3,5) M(5,3) */
+            M[29 * 8 + j] = M[34 * 8 + j] = t25 - 0.05238095238095238 * t26; /* M(4,5) M(5,4) */
+            const real t35 = 0.004761904761904762 * (t27[j] * (cos_q[j] * cos_q[j] + sin_q[j] * sin_q[j]));
+            M[35 * 8 + j] = 2.0 * (t35 + t30[j]); /* M(5,5) */
             const real rq_vangle = v[5 * 8 + j];
-            const real t34 = rq_vangle * cos_q[j];
-            const real t35 = t34 * t17[j];
-            const real t36 = rq_vangle * t35;
+            const real t36 = rq_vangle * cos_q[j];
+            const real t37 = t36 * t19[j];
+            const real t38 = rq_vangle * t37;
             const real rp_vangle = v[2 * 8 + j];
-            const real t37 = rp_vangle * cos_p[j];
-            const real t38 = t37 + t34;
-            const real t41 = t11 * t39[j] - t40[j] * t4;
-            const real t43 = 0.3 * (t5[j] * t41 * t7[j]) + t42[j];
-            const real t44 = t5[j] * t43;
-            const real t47 = rp_vangle * sin_p[j];
-            const real t48 = rq_vangle * sin_q[j];
-            const real t49 = t47 + t48;
-            const real t50 = t5[j] * (t39[j] * t49 + t40[j] * t38) + t41 * t46[j];
-            const real t51 = t46[j] * t43 + 0.3 * (t5[j] * t50 * t7[j]);
-            const real t52 = t38 * t44 - t4 * t51;
-            const real t53 = t37 * t17[j];
-            const real t54 = rp_vangle * t53;
-            const real t55 = 0.030952380952380953 * t36 + t52 - 0.05238095238095238 * t54;
-            const real t56 = t41 * t43 * t45[j];
-            const real t57 = d_x[j] * t56;
-            h[0 * 8 + j] = t55 - t57;
-            const real t59 = t48 * t58[j];
-            const real t60 = t49 * t44 + t11 * t51;
-            const real t62 = t47 * t61[j];
-            const real t63 = 0.030952380952380953 * t59 + t60 - 0.05238095238095238 * t62;
-            const real t64 = d_y[j] * t56;
-            h[1 * 8 + j] = t63 - t64;
-            const real t66 = 0.01904761904761905 * ((sin_p[j] * t37 - cos_p[j] * t47) * t65[j]);
-            const real t70 = t39[j] * t44;
-            const real t71 = t69[j] + t70 + 0.009523809523809525 * (cos_p[j] * t67[j]);
-            const real t74 = sin_p[j] * (t71 - 0.007142857142857143 * (cos_q[j] * t73[j]));
-            const real t75 = cos_q[j] * t47 + cos_p[j] * t48;
-            const real t76 = t37 * t31 + sin_p[j] * t25[j] * t34;
-            const real t77 = t74 + 0.007142857142857143 * (t72[j] * t75 - rq_vangle * t76);
-            const real t79 = 0.25 * t50 * t14[j];
-            const real t82 = 0.009523809523809525 * (sin_p[j] * t67[j]) - t80[j] - 0.007142857142857143 * (t81[j]
-                * t31);
-            const real t83 = t40[j] * t44;
-            h[2 * 8 + j] = t66 + t77 - t47 * t17[j] * t68[j] - t53 * t78[j] - t79 - cos_p[j] * (t82 - t83);
-            const real t84 = 0.05238095238095238 * t36 + t57 - 0.030952380952380953 * t54;
-            h[3 * 8 + j] = t84 - t52;
-            const real t85 = 0.05238095238095238 * t59 + t64 - 0.030952380952380953 * t62;
-            h[4 * 8 + j] = t85 - t60;
-            const real t87 = 0.007142857142857143 * (rp_vangle * (t25[j] * t75 - t76));
-            const real t91 = 0.009523809523809525 * (cos_q[j] * t89[j]) + t70 - t90[j];
-            const real t92 = sin_q[j] * (t91 - 0.007142857142857143 * (cos_p[j] * t73[j]));
-            const real t93 = 0.01904761904761905 * (t72[j] * (sin_q[j] * t34 - cos_q[j] * t48));
-            const real t94 = t92 + t93 + t35 * t88[j] + t87 + t48 * t17[j] * t86[j] - t79;
-            const real t96 = 0.009523809523809525 * (sin_q[j] * t89[j]) + t95[j] - 0.007142857142857143 * (sin_p[j]
-                * t81[j] * t25[j]);
-            h[5 * 8 + j] = t94 - cos_q[j] * (t96 - t83);
-            f[2 * 8 + j] = 0.08333333333333333 * (cos_p[j] * t99[j] - sin_p[j] * t100[j]);
-            f[5 * 8 + j] = 0.08333333333333333 * (sin_q[j] * t100[j] - cos_q[j] * t99[j]);
+            const real t39 = rp_vangle * cos_p[j];
+            const real t40 = t39 + t36;
+            const real t43 = t13 * t41[j] - t42[j] * t4;
+            const real t45 = 0.3 * (t5[j] * t43 * t9[j]) + t44[j];
+            const real t46 = t5[j] * t45;
+            const real t49 = rp_vangle * sin_p[j];
+            const real t50 = rq_vangle * sin_q[j];
+            const real t51 = t49 + t50;
+            const real t52 = t5[j] * (t41[j] * t51 + t42[j] * t40) + t43 * t48[j];
+            const real t53 = t48[j] * t45 + 0.3 * (t5[j] * t52 * t9[j]);
+            const real t54 = t40 * t46 - t4 * t53;
+            const real t55 = t39 * t19[j];
+            const real t56 = rp_vangle * t55;
+            const real t57 = 0.030952380952380953 * t38 + t54 - 0.05238095238095238 * t56;
+            const real t58 = t43 * t45 * t47[j];
+            const real t59 = d_x[j] * t58;
+            h[0 * 8 + j] = t57 - t59;
+            const real t61 = t50 * t60[j];
+            const real t62 = t51 * t46 + t13 * t53;
+            const real t64 = t49 * t63[j];
+            const real t65 = 0.030952380952380953 * t61 + t62 - 0.05238095238095238 * t64;
+            const real t66 = d_y[j] * t58;
+            h[1 * 8 + j] = t65 - t66;
+            const real t68 = 0.01904761904761905 * ((sin_p[j] * t39 - cos_p[j] * t49) * t67[j]);
+            const real t72 = t41[j] * t46;
+            const real t73 = t71[j] + t72 + 0.009523809523809525 * (cos_p[j] * t69[j]);
+            const real t76 = sin_p[j] * (t73 - 0.007142857142857143 * (cos_q[j] * t75[j]));
+            const real t77 = cos_q[j] * t49 + cos_p[j] * t50;
+            const real t78 = t39 * t33 + sin_p[j] * t27[j] * t36;
+            const real t79 = t76 + 0.007142857142857143 * (t74[j] * t77 - rq_vangle * t78);
+            const real t81 = 0.25 * t52 * t16[j];
+            const real t84 = 0.009523809523809525 * (sin_p[j] * t69[j]) - t82[j] - 0.007142857142857143 * (t83[j]
+                * t33);
+            const real t85 = t42[j] * t46;
+            h[2 * 8 + j] = t68 + t79 - t49 * t19[j] * t70[j] - t55 * t80[j] - t81 - cos_p[j] * (t84 - t85);
+            const real t86 = 0.05238095238095238 * t38 + t59 - 0.030952380952380953 * t56;
+            h[3 * 8 + j] = t86 - t54;
+            const real t87 = 0.05238095238095238 * t61 + t66 - 0.030952380952380953 * t64;
+            h[4 * 8 + j] = t87 - t62;
+            const real t89 = 0.007142857142857143 * (rp_vangle * (t27[j] * t77 - t78));
+            const real t93 = 0.009523809523809525 * (cos_q[j] * t91[j]) + t72 - t92[j];
+            const real t94 = sin_q[j] * (t93 - 0.007142857142857143 * (cos_p[j] * t75[j]));
+            const real t95 = 0.01904761904761905 * (t74[j] * (sin_q[j] * t36 - cos_q[j] * t50));
+            const real t96 = t94 + t95 + t37 * t90[j] + t89 + t50 * t19[j] * t88[j] - t81;
+            const real t98 = 0.009523809523809525 * (sin_q[j] * t91[j]) + t97[j] - 0.007142857142857143 * (sin_p[j]
+                * t83[j] * t27[j]);
+            h[5 * 8 + j] = t96 - cos_q[j] * (t98 - t85);
+            f[2 * 8 + j] = 0.08333333333333333 * (cos_p[j] * t101[j] - sin_p[j] * t102[j]);
+            f[5 * 8 + j] = 0.08333333333333333 * (sin_q[j] * t102[j] - cos_q[j] * t101[j]);
             const real l0 = p[0 * 8 + j];
-            const real t102 = t101[j] + 0.08333333333333333 * (l0 * (cos_p[j] - cos_q[j]));
-            const real gravity_x = p[6 * 8 + j];
-            const real t104 = t103[j] + 0.08333333333333333 * (l0 * (sin_p[j] - sin_q[j]));
-            const real gravity_y = p[7 * 8 + j];
-            U[0 * 8 + j] = -((gravity_x * t102 + gravity_y * t104) * t0[j]);
+            const real t104 = t103[j] + 0.08333333333333333 * (l0 * (cos_p[j] - cos_q[j]));
+            const real gravity_x = p[7 * 8 + j];
+            const real t106 = t105[j] + 0.08333333333333333 * (l0 * (sin_p[j] - sin_q[j]));
+            const real gravity_y = p[8 * 8 + j];
+            U[0 * 8 + j] = -((gravity_x * t104 + gravity_y * t106) * t0[j]);
         }
     }
 }
 
-/* tangent: 745 operations.
- * in:  x (6), v (6), a (6), p (8)
+/* tangent: 751 operations.
+ * in:  x (6), v (6), a (6), p (9)
  * out: R_x (6,6), R_v (6,6) */
 FLEXEL_CLONES
 static void planar_beam_first_order_tangent(size_t nblocks, const real *const *in, real *const *out)
@@ -780,7 +790,7 @@ static void planar_beam_first_order_tangent(size_t nblocks, const real *const *i
         const real *restrict x = in[0] + b * (6 * 8);
         const real *restrict v = in[1] + b * (6 * 8);
         const real *restrict a = in[2] + b * (6 * 8);
-        const real *restrict p = in[3] + b * (8 * 8);
+        const real *restrict p = in[3] + b * (9 * 8);
         real *restrict R_x = out[0] + b * (36 * 8);
         real *restrict R_v = out[1] + b * (36 * 8);
         real d_x[8], d_y[8], t0[8], t1[8], t2[8], cos_p[8], t3[8], cos_q[8], t5[8], t6[8], sin_p[8], sin_q[8], t10[8],
@@ -812,12 +822,14 @@ static void planar_beam_first_order_tangent(size_t nblocks, const real *const *i
             const real q_vx = v[3 * 8 + j];
             const real p_vx = v[0 * 8 + j];
             t6[j] = q_vx - p_vx;
-            const real phi_z = p[5 * 8 + j];
-            const real t9 = 1.0 / (1.0 + phi_z);
+            const real GAy = p[6 * 8 + j];
             const real l0 = p[0 * 8 + j];
+            const real EIz = p[5 * 8 + j];
+            const real phi_y = 12.0 * (1.0 / GAy * (1.0 / l0 * (1.0 / l0) * EIz));
+            const real t9 = 1.0 / (1.0 + phi_y);
             const real rhoJ = p[4 * 8 + j];
             t10[j] = l0 * rhoJ * t9 * t9;
-            t11[j] = (phi_z - 0.2) * t10[j];
+            t11[j] = (phi_y - 0.2) * t10[j];
             const real rp_vangle = v[2 * 8 + j];
             const real rq_vangle = v[5 * 8 + j];
             t12[j] = 0.25 * t11[j] * (rp_vangle + rq_vangle);
@@ -861,7 +873,7 @@ static void planar_beam_first_order_tangent(size_t nblocks, const real *const *i
             t86[j] = 0.030952380952380953 * t85;
             t102[j] = l0 * l0 * t67;
             const real t106 = 0.030952380952380953 * q_vy + 0.05238095238095238 * p_vy;
-            const real gravity_x = p[6 * 8 + j];
+            const real gravity_x = p[7 * 8 + j];
             t107[j] = 0.08333333333333333 * (gravity_x * t68[j]);
             t108[j] = t73 * t106 + t107[j];
             t109[j] = rq_vangle * t102[j];
@@ -876,7 +888,7 @@ static void planar_beam_first_order_tangent(size_t nblocks, const real *const *i
             t131[j] = 0.030952380952380953 * t130;
             t132[j] = rp_vangle * rq_vangle;
             t133[j] = rq_aangle * t102[j];
-            const real gravity_y = p[7 * 8 + j];
+            const real gravity_y = p[8 * 8 + j];
             t139[j] = 0.08333333333333333 * (gravity_y * t68[j]);
             t143[j] = t132[j] * t102[j];
             t149[j] = 0.030952380952380953 * t73;
@@ -1164,13 +1176,178 @@ static void planar_beam_first_order_tangent(size_t nblocks, const real *const *i
     }
 }
 
+/* outputs: 316 operations.
+ * in:  x (6), sigma (3), tau (0), p (9)
+ * out: force_p (2), moment_p (1), force_q (2), moment_q (1), shear_angle (1), axis (17,2), across (2,2) */
+FLEXEL_CLONES
+static void planar_beam_first_order_outputs(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (6 * 8);
+        const real *restrict sigma = in[1] + b * (3 * 8);
+        const real *restrict p = in[3] + b * (9 * 8);
+        real *restrict force_p = out[0] + b * (2 * 8);
+        real *restrict moment_p = out[1] + b * (1 * 8);
+        real *restrict force_q = out[2] + b * (2 * 8);
+        real *restrict moment_q = out[3] + b * (1 * 8);
+        real *restrict shear_angle = out[4] + b * (1 * 8);
+        real *restrict axis = out[5] + b * (34 * 8);
+        real *restrict across = out[6] + b * (4 * 8);
+        real t0[8], cos_p[8], d_x[8], d_y[8], t1[8], t2[8], sin_q[8], t3[8], sin_p[8], t4[8], t6[8], cos_q[8],
+            el_y[8], el_x[8], t10[8], t12[8], t14[8], t16[8], t18[8], t19[8], t20[8], t22[8], t24[8], t25[8], t26[8],
+            t28[8], t30[8], t31[8], t32[8], t34[8], t36[8], t37[8], t38[8], t40[8], t42[8], t43[8], t44[8], t46[8],
+            t48[8], t49[8], t50[8], t52[8], t54[8], t55[8], t56[8], t58[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real rp_angle = x[2 * 8 + j];
+            const real alpha0 = p[1 * 8 + j];
+            t0[j] = rp_angle + alpha0;
+            const real q_x = x[3 * 8 + j];
+            axis[32 * 8 + j] = q_x; /* axis(16,0) */
+            const real p_x = x[0 * 8 + j];
+            axis[0 * 8 + j] = p_x; /* axis(0,0) */
+            d_x[j] = q_x - p_x;
+            const real q_y = x[4 * 8 + j];
+            axis[33 * 8 + j] = q_y; /* axis(16,1) */
+            const real p_y = x[1 * 8 + j];
+            axis[1 * 8 + j] = p_y; /* axis(0,1) */
+            d_y[j] = q_y - p_y;
+            const real l = real_sqrt(d_x[j] * d_x[j] + d_y[j] * d_y[j]);
+            t1[j] = 1.0 / l;
+            const real rq_angle = x[5 * 8 + j];
+            const real alphaq0 = p[2 * 8 + j];
+            t2[j] = rq_angle + alphaq0;
+            const real l0 = p[0 * 8 + j];
+            const real sigma_bend2 = sigma[2 * 8 + j];
+            t3[j] = l0 * sigma_bend2;
+            const real sigma_bend1 = sigma[1 * 8 + j];
+            t4[j] = l0 * sigma_bend1;
+            t6[j] = t1[j] * t1[j];
+            el_y[j] = d_y[j] * t1[j];
+            el_x[j] = d_x[j] * t1[j];
+            const real GAy = p[6 * 8 + j];
+            const real t9 = 1.0 / l0 * (1.0 / l0);
+            const real EIz = p[5 * 8 + j];
+            const real phi_y = 12.0 * (1.0 / GAy * (EIz * t9));
+            t10[j] = real_abs(phi_y);
+            const real t11 = 1.0 / (1.0 + phi_y);
+            t12[j] = real_sqrt(t9 * t11 * t11);
+            t14[j] = 0.98876953125 * p_x + 0.01123046875 * q_x;
+            t16[j] = 0.98876953125 * p_y + 0.01123046875 * q_y;
+            t18[j] = 0.95703125 * p_x + 0.04296875 * q_x;
+            t19[j] = 0.95703125 * p_y + 0.04296875 * q_y;
+            t20[j] = 0.90771484375 * p_x + 0.09228515625 * q_x;
+            t22[j] = 0.90771484375 * p_y + 0.09228515625 * q_y;
+            t24[j] = 0.84375 * p_x + 0.15625 * q_x;
+            t25[j] = 0.84375 * p_y + 0.15625 * q_y;
+            t26[j] = 0.76806640625 * p_x + 0.23193359375 * q_x;
+            t28[j] = 0.76806640625 * p_y + 0.23193359375 * q_y;
+            t30[j] = 0.68359375 * p_x + 0.31640625 * q_x;
+            t31[j] = 0.68359375 * p_y + 0.31640625 * q_y;
+            t32[j] = 0.59326171875 * p_x + 0.40673828125 * q_x;
+            t34[j] = 0.59326171875 * p_y + 0.40673828125 * q_y;
+            t36[j] = 0.5 * (p_x + q_x);
+            t37[j] = 0.5 * (p_y + q_y);
+            t38[j] = 0.40673828125 * p_x + 0.59326171875 * q_x;
+            t40[j] = 0.40673828125 * p_y + 0.59326171875 * q_y;
+            t42[j] = 0.31640625 * p_x + 0.68359375 * q_x;
+            t43[j] = 0.31640625 * p_y + 0.68359375 * q_y;
+            t44[j] = 0.23193359375 * p_x + 0.76806640625 * q_x;
+            t46[j] = 0.23193359375 * p_y + 0.76806640625 * q_y;
+            t48[j] = 0.15625 * p_x + 0.84375 * q_x;
+            t49[j] = 0.15625 * p_y + 0.84375 * q_y;
+            t50[j] = 0.09228515625 * p_x + 0.90771484375 * q_x;
+            t52[j] = 0.09228515625 * p_y + 0.90771484375 * q_y;
+            t54[j] = 0.04296875 * p_x + 0.95703125 * q_x;
+            t55[j] = 0.04296875 * p_y + 0.95703125 * q_y;
+            t56[j] = 0.01123046875 * p_x + 0.98876953125 * q_x;
+            t58[j] = 0.01123046875 * p_y + 0.98876953125 * q_y;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            cos_p[j] = real_cos(t0[j]);
+            across[1 * 8 + j] = cos_p[j]; /* across(0,1) */
+            sin_q[j] = real_sin(t2[j]);
+            sin_p[j] = real_sin(t0[j]);
+            cos_q[j] = real_cos(t2[j]);
+            across[3 * 8 + j] = cos_q[j]; /* across(1,1) */
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real t5 = sin_q[j] * t3[j] - sin_p[j] * t4[j];
+            const real t7 = cos_p[j] * t4[j] - cos_q[j] * t3[j];
+            const real sigma_elongation = sigma[0 * 8 + j];
+            const real t8 = t1[j] * (sigma_elongation - t6[j] * (d_y[j] * t7 + d_x[j] * t5));
+            const real q_fx = t1[j] * t5 + d_x[j] * t8;
+            const real q_fy = t1[j] * t7 + d_y[j] * t8;
+            force_p[0 * 8 + j] = cos_p[j] * q_fx + sin_p[j] * q_fy;
+            force_p[1 * 8 + j] = cos_p[j] * q_fy - sin_p[j] * q_fx;
+            moment_p[0 * 8 + j] = (sin_p[j] * el_y[j] + cos_p[j] * el_x[j]) * t4[j];
+            force_q[0 * 8 + j] = cos_q[j] * q_fx + sin_q[j] * q_fy;
+            force_q[1 * 8 + j] = cos_q[j] * q_fy - sin_q[j] * q_fx;
+            const real rq_fangle = (sin_q[j] * el_y[j] + cos_q[j] * el_x[j]) * t3[j];
+            moment_q[0 * 8 + j] = rq_fangle;
+            const real t13 = el_y[j] * (cos_p[j] + cos_q[j]) - el_x[j] * (sin_p[j] + sin_q[j]);
+            const real l0 = p[0 * 8 + j];
+            shear_angle[0 * 8 + j] = 0.5 * t12[j] * real_abs(l0 * t13) * t10[j];
+            const real t15 = l0 * (0.054931640625 * cos_p[j] - 0.003662109375 * cos_q[j]);
+            axis[2 * 8 + j] = t14[j] + t15; /* axis(1,0) */
+            const real t17 = l0 * (0.054931640625 * sin_p[j] - 0.003662109375 * sin_q[j]);
+            axis[3 * 8 + j] = t16[j] + t17; /* axis(1,1) */
+            axis[4 * 8 + j] = t18[j] + l0 * (0.095703125 * cos_p[j] - 0.013671875 * cos_q[j]); /* axis(2,0) */
+            axis[5 * 8 + j] = t19[j] + l0 * (0.095703125 * sin_p[j] - 0.013671875 * sin_q[j]); /* axis(2,1) */
+            const real t21 = l0 * (0.123779296875 * cos_p[j] - 0.028564453125 * cos_q[j]);
+            axis[6 * 8 + j] = t20[j] + t21; /* axis(3,0) */
+            const real t23 = l0 * (0.123779296875 * sin_p[j] - 0.028564453125 * sin_q[j]);
+            axis[7 * 8 + j] = t22[j] + t23; /* axis(3,1) */
+            axis[8 * 8 + j] = t24[j] + l0 * (0.140625 * cos_p[j] - 0.046875 * cos_q[j]); /* axis(4,0) */
+            axis[9 * 8 + j] = t25[j] + l0 * (0.140625 * sin_p[j] - 0.046875 * sin_q[j]); /* axis(4,1) */
+            const real t27 = l0 * (0.147705078125 * cos_p[j] - 0.067138671875 * cos_q[j]);
+            axis[10 * 8 + j] = t26[j] + t27; /* axis(5,0) */
+            const real t29 = l0 * (0.147705078125 * sin_p[j] - 0.067138671875 * sin_q[j]);
+            axis[11 * 8 + j] = t28[j] + t29; /* axis(5,1) */
+            axis[12 * 8 + j] = t30[j] + l0 * (0.146484375 * cos_p[j] - 0.087890625 * cos_q[j]); /* axis(6,0) */
+            axis[13 * 8 + j] = t31[j] + l0 * (0.146484375 * sin_p[j] - 0.087890625 * sin_q[j]); /* axis(6,1) */
+            const real t33 = l0 * (0.138427734375 * cos_p[j] - 0.107666015625 * cos_q[j]);
+            axis[14 * 8 + j] = t32[j] + t33; /* axis(7,0) */
+            const real t35 = l0 * (0.138427734375 * sin_p[j] - 0.107666015625 * sin_q[j]);
+            axis[15 * 8 + j] = t34[j] + t35; /* axis(7,1) */
+            axis[16 * 8 + j] = t36[j] + 0.125 * l0 * (cos_p[j] - cos_q[j]); /* axis(8,0) */
+            axis[17 * 8 + j] = t37[j] + 0.125 * l0 * (sin_p[j] - sin_q[j]); /* axis(8,1) */
+            const real t39 = l0 * (0.107666015625 * cos_p[j] - 0.138427734375 * cos_q[j]);
+            axis[18 * 8 + j] = t38[j] + t39; /* axis(9,0) */
+            const real t41 = l0 * (0.107666015625 * sin_p[j] - 0.138427734375 * sin_q[j]);
+            axis[19 * 8 + j] = t40[j] + t41; /* axis(9,1) */
+            axis[20 * 8 + j] = t42[j] + l0 * (0.087890625 * cos_p[j] - 0.146484375 * cos_q[j]); /* axis(10,0) */
+            axis[21 * 8 + j] = t43[j] + l0 * (0.087890625 * sin_p[j] - 0.146484375 * sin_q[j]); /* axis(10,1) */
+            const real t45 = l0 * (0.067138671875 * cos_p[j] - 0.147705078125 * cos_q[j]);
+            axis[22 * 8 + j] = t44[j] + t45; /* axis(11,0) */
+            const real t47 = l0 * (0.067138671875 * sin_p[j] - 0.147705078125 * sin_q[j]);
+            axis[23 * 8 + j] = t46[j] + t47; /* axis(11,1) */
+            axis[24 * 8 + j] = t48[j] + l0 * (0.046875 * cos_p[j] - 0.140625 * cos_q[j]); /* axis(12,0) */
+            axis[25 * 8 + j] = t49[j] + l0 * (0.046875 * sin_p[j] - 0.140625 * sin_q[j]); /* axis(12,1) */
+            const real t51 = l0 * (0.028564453125 * cos_p[j] - 0.123779296875 * cos_q[j]);
+            axis[26 * 8 + j] = t50[j] + t51; /* axis(13,0) */
+            const real t53 = l0 * (0.028564453125 * sin_p[j] - 0.123779296875 * sin_q[j]);
+            axis[27 * 8 + j] = t52[j] + t53; /* axis(13,1) */
+            axis[28 * 8 + j] = t54[j] + l0 * (0.013671875 * cos_p[j] - 0.095703125 * cos_q[j]); /* axis(14,0) */
+            axis[29 * 8 + j] = t55[j] + l0 * (0.013671875 * sin_p[j] - 0.095703125 * sin_q[j]); /* axis(14,1) */
+            const real t57 = l0 * (0.003662109375 * cos_p[j] - 0.054931640625 * cos_q[j]);
+            axis[30 * 8 + j] = t56[j] + t57; /* axis(15,0) */
+            const real t59 = l0 * (0.003662109375 * sin_p[j] - 0.054931640625 * sin_q[j]);
+            axis[31 * 8 + j] = t58[j] + t59; /* axis(15,1) */
+            across[0 * 8 + j] = -sin_p[j]; /* across(0,0) */
+            across[2 * 8 + j] = -sin_q[j]; /* across(1,0) */
+        }
+    }
+}
+
 const flexel_element flexel_planar_beam_first_order = {
     .name = "planar_beam_first_order",
-    .digest = "98080376203386d5",
+    .digest = "1c674b16c3cb596f",
     .n = 6,
     .m = 3,
     .k = 0,
-    .np = 8,
+    .np = 9,
     .position = planar_beam_first_order_position,
     .acceleration = planar_beam_first_order_acceleration,
     .rates = planar_beam_first_order_rates,
@@ -1178,4 +1355,5 @@ const flexel_element flexel_planar_beam_first_order = {
     .stiffness = planar_beam_first_order_stiffness,
     .inertia = planar_beam_first_order_inertia,
     .tangent = planar_beam_first_order_tangent,
+    .outputs = planar_beam_first_order_outputs,
 };

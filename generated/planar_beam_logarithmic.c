@@ -1,45 +1,50 @@
 /* planar_beam_logarithmic: kernels of an element. Written by `flexel derive`; do not edit.
  *
  * ex, ey: directions of the element at p (angle_p + alpha0) and q (angle_q + alphaq0)
+ * phi_y = 12 EIz/(GAy l0^2): shear number
  * turn = angle_q + alphaq0 - angle_p - alpha0;  along, across: components of xq - xp on the direction halfway
  * straight = (along + l0 turn^2 (1/24 - turn^2/1920 + turn^4/322560), across): the chord without what uniform bending
  *       takes from it
- * bow = across/(phi_z l0 + |straight|): mean angle of the sections from the direction halfway; the shear angle is
- *       phi_z bow
- * elongation = straight_x + l0 (3/5 + phi_z) bow^2 - l0
- * bend1, bend2 = l0 (turn/2 + (1 + phi_z) bow), l0 (turn/2 - (1 + phi_z) bow)
+ * bow = across/(phi_y l0 + |straight|): mean angle of the sections from the direction halfway; the shear angle is
+ *       phi_y bow
+ * elongation = straight_x + l0 (3/5 + phi_y) bow^2 - l0
+ * bend1, bend2 = l0 (turn/2 + (1 + phi_y) bow), l0 (turn/2 - (1 + phi_y) bow)
  * T: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with
- *    the shear-corrected (phi_z) cubic shapes
+ *    the shear-corrected (phi_y) cubic shapes
  * U = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)
+ * f = De'sigma: force_p, moment_p = -(ex_p.f_xp, ey_p.f_xp), -f_angle_p; force_q, moment_q the same at q, without
+ *   minus
+ * axis: places on the cubic axis; across: ey_p, ey_q
  *
  * Source: Reissner 1972, ZAMP 23 (strains of a rod); corotational directions as Crisfield 1990
  *
  * x (6): p_x, p_y, rp_angle, q_x, q_y, rq_angle
  * e (3): elongation [m], bend1 [m], bend2 [m]
  * s (0): none
- * p (8):
+ * p (9):
  *   l0 (1) [m]: undeformed length
  *   alpha0 (1) [rad]: initial direction of the element minus the angle of node p
  *   alphaq0 (1) [rad]: initial direction of the element minus the angle of node q
  *   rhoA (1) [kg/m]: mass per length
  *   rhoJ (1) [kg m]: mass moment of inertia of the section per length
- *   phi_z (1) [1]: shear number of the deflection in the plane, 12 E I/(k G A l0^2)
+ *   EIz (1) [N m^2]: bending stiffness about z, of the deflection in y
+ *   GAy (1) [N]: shear stiffness k G A of the deflection in y; very large without shear
  *   gravity (2) [m/s^2]: acceleration of gravity */
 #include "kernels.h"
 
-/* position: 103 operations.
- * in:  x (6), p (8)
+/* position: 110 operations.
+ * in:  x (6), p (9)
  * out: e (3), De (3,6), V (0,6) */
 FLEXEL_CLONES
 static void planar_beam_logarithmic_position(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict x = in[0] + b * (6 * 8);
-        const real *restrict p = in[1] + b * (8 * 8);
+        const real *restrict p = in[1] + b * (9 * 8);
         real *restrict e = out[0] + b * (3 * 8);
         real *restrict De = out[1] + b * (18 * 8);
-        real mean[8], cos_mean[8], d_x[8], sin_mean[8], d_y[8], t5[8], t6[8], t9[8], t11[8], t12[8], t23[8], t24[8],
-            t27[8], t30[8];
+        real mean[8], cos_mean[8], d_x[8], sin_mean[8], d_y[8], t5[8], t9[8], t11[8], t13[8], t14[8], t25[8], t26[8],
+            t29[8], t32[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real alpha0 = p[1 * 8 + j];
@@ -60,15 +65,19 @@ static void planar_beam_logarithmic_position(size_t nblocks, const real *const *
             const real t4 = 0.041666666666666664 - t1 * t3;
             const real l0 = p[0 * 8 + j];
             t5[j] = l0 * t4 * t1;
-            const real phi_z = p[5 * 8 + j];
-            t6[j] = l0 * phi_z;
-            t9[j] = l0 * (phi_z + 0.6);
-            t11[j] = 0.5 * turn;
-            t12[j] = 1.0 + phi_z;
-            t23[j] = l0 * turn * (t4 + t1 * (t2 - t3));
-            t24[j] = 2.0 * t23[j];
-            t27[j] = l0 * t12[j];
-            t30[j] = 0.5 * l0;
+            const real t7 = 1.0 / l0;
+            const real GAy = p[6 * 8 + j];
+            const real EIz = p[5 * 8 + j];
+            const real t8 = 1.0 / GAy * EIz * t7 * t7;
+            t9[j] = 12.0 * (l0 * t8);
+            const real phi_y = 12.0 * t8;
+            t11[j] = l0 * (0.6 + phi_y);
+            t13[j] = 0.5 * turn;
+            t14[j] = 1.0 + phi_y;
+            t25[j] = l0 * turn * (t4 + t1 * (t2 - t3));
+            t26[j] = 2.0 * t25[j];
+            t29[j] = l0 * t14[j];
+            t32[j] = 0.5 * l0;
         }
         for (size_t j = 0; j < 8; j++) {
             cos_mean[j] = real_cos(mean[j]);
@@ -79,52 +88,52 @@ static void planar_beam_logarithmic_position(size_t nblocks, const real *const *
             const real t0 = cos_mean[j] * d_x[j] + sin_mean[j] * d_y[j];
             const real straight_x = t0 + t5[j];
             const real straight_y = cos_mean[j] * d_y[j] - sin_mean[j] * d_x[j];
-            const real t7 = real_sqrt(straight_y * straight_y + straight_x * straight_x);
-            const real t8 = 1.0 / (t6[j] + t7);
-            const real bow = straight_y * t8;
-            const real t10 = t9[j] * bow;
+            const real t6 = real_sqrt(straight_y * straight_y + straight_x * straight_x);
+            const real t10 = 1.0 / (t6 + t9[j]);
+            const real bow = straight_y * t10;
+            const real t12 = bow * t11[j];
             const real l0 = p[0 * 8 + j];
-            e[0 * 8 + j] = straight_x + bow * t10 - l0;
-            const real t13 = t12[j] * bow;
-            e[1 * 8 + j] = l0 * (t11[j] + t13);
-            e[2 * 8 + j] = l0 * (t11[j] - t13);
-            const real t14 = 1.0 / t7 * (t8 * t8 * straight_y);
-            const real t15 = straight_x * t14;
-            const real t16 = t8 - straight_y * t14;
-            const real t17 = cos_mean[j] * t15 + sin_mean[j] * t16;
-            const real t18 = cos_mean[j] - 2.0 * t10 * t17;
-            De[3 * 8 + j] = t18; /* De(0,3) */
-            De[0 * 8 + j] = -t18; /* De(0,0) */
-            const real t19 = cos_mean[j] * t16 - sin_mean[j] * t15;
-            const real t20 = sin_mean[j] + 2.0 * t10 * t19;
-            De[4 * 8 + j] = t20; /* De(0,4) */
-            De[1 * 8 + j] = -t20; /* De(0,1) */
-            const real t21 = straight_y * t15 + t0 * t16;
-            const real t22 = 0.5 * (straight_y - 2.0 * t10 * t21);
-            const real t25 = t15 * t23[j];
-            const real t26 = t24[j] - 4.0 * t10 * t25;
-            De[2 * 8 + j] = t22 - t26; /* De(0,2) */
-            De[5 * 8 + j] = t26 + t22; /* De(0,5) */
-            const real t28 = t27[j] * t17;
-            De[6 * 8 + j] = De[15 * 8 + j] = t28; /* De(1,0) De(2,3) */
-            const real t29 = t27[j] * t19;
-            De[10 * 8 + j] = De[13 * 8 + j] = t29; /* De(1,4) De(2,1) */
-            De[7 * 8 + j] = De[16 * 8 + j] = -t29; /* De(1,1) De(2,4) */
-            const real t31 = 2.0 * t27[j] * t25;
-            const real t32 = t30[j] - t31;
-            const real t33 = 0.5 * t27[j] * t21;
-            De[8 * 8 + j] = -(t32 + t33); /* De(1,2) */
-            De[9 * 8 + j] = De[12 * 8 + j] = -t28; /* De(1,3) De(2,0) */
-            De[11 * 8 + j] = t32 - t33; /* De(1,5) */
-            const real t34 = t30[j] + t31;
-            De[14 * 8 + j] = t33 - t34; /* De(2,2) */
-            De[17 * 8 + j] = t34 + t33; /* De(2,5) */
+            e[0 * 8 + j] = straight_x + bow * t12 - l0;
+            const real t15 = bow * t14[j];
+            e[1 * 8 + j] = l0 * (t13[j] + t15);
+            e[2 * 8 + j] = l0 * (t13[j] - t15);
+            const real t16 = 1.0 / t6 * (t10 * t10 * straight_y);
+            const real t17 = straight_x * t16;
+            const real t18 = t10 - straight_y * t16;
+            const real t19 = cos_mean[j] * t17 + sin_mean[j] * t18;
+            const real t20 = cos_mean[j] - 2.0 * t12 * t19;
+            De[3 * 8 + j] = t20; /* De(0,3) */
+            De[0 * 8 + j] = -t20; /* De(0,0) */
+            const real t21 = cos_mean[j] * t18 - sin_mean[j] * t17;
+            const real t22 = sin_mean[j] + 2.0 * t12 * t21;
+            De[4 * 8 + j] = t22; /* De(0,4) */
+            De[1 * 8 + j] = -t22; /* De(0,1) */
+            const real t23 = straight_y * t17 + t0 * t18;
+            const real t24 = 0.5 * (straight_y - 2.0 * t12 * t23);
+            const real t27 = t17 * t25[j];
+            const real t28 = t26[j] - 4.0 * t12 * t27;
+            De[2 * 8 + j] = t24 - t28; /* De(0,2) */
+            De[5 * 8 + j] = t28 + t24; /* De(0,5) */
+            const real t30 = t29[j] * t19;
+            De[6 * 8 + j] = De[15 * 8 + j] = t30; /* De(1,0) De(2,3) */
+            const real t31 = t29[j] * t21;
+            De[10 * 8 + j] = De[13 * 8 + j] = t31; /* De(1,4) De(2,1) */
+            De[7 * 8 + j] = De[16 * 8 + j] = -t31; /* De(1,1) De(2,4) */
+            const real t33 = 2.0 * t29[j] * t27;
+            const real t34 = t32[j] - t33;
+            const real t35 = 0.5 * t29[j] * t23;
+            De[8 * 8 + j] = -(t34 + t35); /* De(1,2) */
+            De[9 * 8 + j] = De[12 * 8 + j] = -t30; /* De(1,3) De(2,0) */
+            De[11 * 8 + j] = t34 - t35; /* De(1,5) */
+            const real t36 = t32[j] + t33;
+            De[14 * 8 + j] = t35 - t36; /* De(2,2) */
+            De[17 * 8 + j] = t36 + t35; /* De(2,5) */
         }
     }
 }
 
-/* acceleration: 156 operations.
- * in:  x (6), v (6), p (8)
+/* acceleration: 163 operations.
+ * in:  x (6), v (6), p (9)
  * out: g (3), gs (0) */
 FLEXEL_CLONES
 static void planar_beam_logarithmic_acceleration(size_t nblocks, const real *const *in, real *const *out)
@@ -132,10 +141,10 @@ static void planar_beam_logarithmic_acceleration(size_t nblocks, const real *con
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict x = in[0] + b * (6 * 8);
         const real *restrict v = in[1] + b * (6 * 8);
-        const real *restrict p = in[2] + b * (8 * 8);
+        const real *restrict p = in[2] + b * (9 * 8);
         real *restrict g = out[0] + b * (3 * 8);
-        real t0[8], mean[8], cos_mean[8], t1[8], d_x[8], d_y[8], sin_mean[8], t6[8], t18[8], t20[8], t21[8], t22[8],
-            t28[8], t40[8];
+        real t0[8], mean[8], cos_mean[8], t1[8], d_x[8], d_y[8], sin_mean[8], t6[8], t18[8], t22[8], t23[8], t25[8],
+            t30[8], t42[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real q_vy = v[4 * 8 + j];
@@ -171,12 +180,16 @@ static void planar_beam_logarithmic_acceleration(size_t nblocks, const real *con
                 * t13);
             const real l0 = p[0 * 8 + j];
             t18[j] = l0 * (2.0 * (t11 * t13 - 2.0 * t14 * t15) - t9 * t17);
-            const real phi_z = p[5 * 8 + j];
-            t20[j] = l0 * (phi_z + 0.6);
-            t21[j] = l0 * phi_z;
-            t22[j] = l0 * t11 * t9;
-            t28[j] = l0 * (2.0 * t11 * t14 - t9 * t15);
-            t40[j] = l0 * (1.0 + phi_z);
+            const real t20 = 1.0 / l0;
+            const real GAy = p[6 * 8 + j];
+            const real EIz = p[5 * 8 + j];
+            const real t21 = 1.0 / GAy * EIz * t20 * t20;
+            const real phi_y = 12.0 * t21;
+            t22[j] = l0 * (0.6 + phi_y);
+            t23[j] = l0 * t11 * t9;
+            t25[j] = 12.0 * (l0 * t21);
+            t30[j] = l0 * (2.0 * t11 * t14 - t9 * t15);
+            t42[j] = l0 * (1.0 + phi_y);
         }
         for (size_t j = 0; j < 8; j++) {
             cos_mean[j] = real_cos(mean[j]);
@@ -192,34 +205,34 @@ static void planar_beam_logarithmic_acceleration(size_t nblocks, const real *con
             const real t8 = 2.0 * t0[j] * t2 - 0.5 * (d_x[j] * t3 + d_y[j] * t5) - t7;
             const real t19 = 0.5 * (t8 - t7) + t18[j];
             const real straight_y = cos_mean[j] * d_y[j] - sin_mean[j] * d_x[j];
-            const real straight_x = cos_mean[j] * d_x[j] + sin_mean[j] * d_y[j] + t22[j];
-            const real t23 = real_sqrt(straight_y * straight_y + straight_x * straight_x);
-            const real t24 = 1.0 / (t21[j] + t23);
-            const real t25 = cos_mean[j] * t0[j] - 0.5 * (d_y[j] * t4 + d_x[j] * t2) - sin_mean[j] * t6[j];
-            const real t26 = t24 * t24;
-            const real t27 = 1.0 / t23;
-            const real t29 = cos_mean[j] * t6[j] + sin_mean[j] * t0[j] + 0.5 * (d_y[j] * t2 - d_x[j] * t4);
-            const real t30 = t28[j] + t29;
-            const real t31 = t27 * (straight_x * t30 + straight_y * t25);
-            const real t32 = t26 * t31;
-            const real t33 = (t24 * t25 - straight_y * t32) * (t24 * t25 - straight_y * t32);
-            const real bow = straight_y * t24;
-            const real t34 = t0[j] * t4;
-            const real t35 = t6[j] * t2;
-            const real t36 = t35 + 0.5 * (d_y[j] * t3 - d_x[j] * t5) + t35 + t34 + t34;
-            const real t37 = t30 * t30 + straight_x * t19 + t25 * t25 - 0.5 * straight_y * t36;
-            const real t38 = 2.0 * t27 * t26 * (t37 - t31 * t31) - 4.0 * t24 * t32 * t31;
-            const real t39 = 4.0 * t25 * t32 + straight_y * t38 + t24 * t36;
-            g[0 * 8 + j] = t19 + 2.0 * t20[j] * (t33 - 0.5 * bow * t39);
-            const real t41 = 0.5 * t40[j] * t39;
-            g[2 * 8 + j] = t41;
-            g[1 * 8 + j] = -t41;
+            const real straight_x = cos_mean[j] * d_x[j] + sin_mean[j] * d_y[j] + t23[j];
+            const real t24 = real_sqrt(straight_y * straight_y + straight_x * straight_x);
+            const real t26 = 1.0 / (t24 + t25[j]);
+            const real t27 = cos_mean[j] * t0[j] - 0.5 * (d_y[j] * t4 + d_x[j] * t2) - sin_mean[j] * t6[j];
+            const real t28 = t26 * t26;
+            const real t29 = 1.0 / t24;
+            const real t31 = cos_mean[j] * t6[j] + sin_mean[j] * t0[j] + 0.5 * (d_y[j] * t2 - d_x[j] * t4);
+            const real t32 = t30[j] + t31;
+            const real t33 = t29 * (straight_x * t32 + straight_y * t27);
+            const real t34 = t28 * t33;
+            const real t35 = (t26 * t27 - straight_y * t34) * (t26 * t27 - straight_y * t34);
+            const real bow = straight_y * t26;
+            const real t36 = t0[j] * t4;
+            const real t37 = t6[j] * t2;
+            const real t38 = t37 + 0.5 * (d_y[j] * t3 - d_x[j] * t5) + t37 + t36 + t36;
+            const real t39 = t32 * t32 + straight_x * t19 + t27 * t27 - 0.5 * straight_y * t38;
+            const real t40 = 2.0 * t29 * t28 * (t39 - t33 * t33) - 4.0 * t26 * t34 * t33;
+            const real t41 = 4.0 * t27 * t34 + straight_y * t40 + t26 * t38;
+            g[0 * 8 + j] = t19 + 2.0 * t22[j] * (t35 - 0.5 * bow * t41);
+            const real t43 = 0.5 * t42[j] * t41;
+            g[2 * 8 + j] = t43;
+            g[1 * 8 + j] = -t43;
         }
     }
 }
 
-/* rates: 233 operations.
- * in:  x (6), v (6), p (8)
+/* rates: 241 operations.
+ * in:  x (6), v (6), p (9)
  * out: Phi_x (3,6) */
 FLEXEL_CLONES
 static void planar_beam_logarithmic_rates(size_t nblocks, const real *const *in, real *const *out)
@@ -227,15 +240,12 @@ static void planar_beam_logarithmic_rates(size_t nblocks, const real *const *in,
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict x = in[0] + b * (6 * 8);
         const real *restrict v = in[1] + b * (6 * 8);
-        const real *restrict p = in[2] + b * (8 * 8);
+        const real *restrict p = in[2] + b * (9 * 8);
         real *restrict Phi_x = out[0] + b * (18 * 8);
-        real t0[8], d_y[8], mean[8], cos_mean[8], d_x[8], sin_mean[8], t1[8], t7[8], t11[8], t19[8], t21[8], t29[8],
-            t53[8], t55[8], t65[8], t66[8], t69[8];
+        real d_y[8], mean[8], cos_mean[8], d_x[8], sin_mean[8], t5[8], t8[8], t10[8], t12[8], t20[8], t22[8], t30[8],
+            t54[8], t56[8], t66[8], t67[8], t70[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
-            const real phi_z = p[5 * 8 + j];
-            const real l0 = p[0 * 8 + j];
-            t0[j] = l0 * (phi_z + 0.6);
             const real q_y = x[4 * 8 + j];
             const real p_y = x[1 * 8 + j];
             d_y[j] = q_y - p_y;
@@ -247,35 +257,41 @@ static void planar_beam_logarithmic_rates(size_t nblocks, const real *const *in,
             const real q_x = x[3 * 8 + j];
             const real p_x = x[0 * 8 + j];
             d_x[j] = q_x - p_x;
-            t1[j] = l0 * phi_z;
             const real turn = rq_angle + alphaq0 - alpha0 - rp_angle;
-            const real t3 = turn * turn;
-            const real t4 = 3.1001984126984127e-06 * t3;
-            const real t5 = 0.0005208333333333333 - t4;
-            const real t6 = 0.041666666666666664 - t3 * t5;
-            t7[j] = l0 * t3 * t6;
+            const real t1 = turn * turn;
+            const real t2 = 3.1001984126984127e-06 * t1;
+            const real t3 = 0.0005208333333333333 - t2;
+            const real t4 = 0.041666666666666664 - t1 * t3;
+            const real l0 = p[0 * 8 + j];
+            t5[j] = l0 * t1 * t4;
+            const real GAy = p[6 * 8 + j];
+            const real EIz = p[5 * 8 + j];
+            const real t7 = 1.0 / GAy * (1.0 / l0 * (1.0 / l0) * EIz);
+            t8[j] = 12.0 * (l0 * t7);
+            const real phi_y = 12.0 * t7;
+            t10[j] = l0 * (0.6 + phi_y);
             const real rp_vangle = v[2 * 8 + j];
             const real rq_vangle = v[5 * 8 + j];
-            t11[j] = rp_vangle + rq_vangle;
+            t12[j] = rp_vangle + rq_vangle;
             const real q_vy = v[4 * 8 + j];
             const real p_vy = v[1 * 8 + j];
-            t19[j] = q_vy - p_vy;
+            t20[j] = q_vy - p_vy;
             const real q_vx = v[3 * 8 + j];
             const real p_vx = v[0 * 8 + j];
-            t21[j] = q_vx - p_vx;
-            const real t25 = rq_vangle - rp_vangle;
-            const real t26 = turn * t25;
-            const real t27 = t3 * t26;
-            const real t28 = 2.0 * t5 * t26 - 6.200396825396825e-06 * t27;
-            t29[j] = l0 * (2.0 * t6 * t26 - t3 * t28);
-            t53[j] = t19[j] - 0.5 * d_x[j] * t11[j];
-            t55[j] = t21[j] + 0.5 * d_y[j] * t11[j];
-            const real t62 = t25 * (2.0 * t6 - t3 * (2.0 * t5 - 6.200396825396825e-06 * t3));
-            const real t63 = t4 - t5;
-            const real t64 = turn * (2.0 * t63 * t26 + 1.240079365079365e-05 * t27 - t28);
-            t65[j] = l0 * (t62 + 2.0 * t64);
-            t66[j] = l0 * (t6 + t3 * t63) * turn;
-            t69[j] = l0 * (1.0 + phi_z);
+            t22[j] = q_vx - p_vx;
+            const real t26 = rq_vangle - rp_vangle;
+            const real t27 = turn * t26;
+            const real t28 = t1 * t27;
+            const real t29 = 2.0 * t3 * t27 - 6.200396825396825e-06 * t28;
+            t30[j] = l0 * (2.0 * t4 * t27 - t1 * t29);
+            t54[j] = t20[j] - 0.5 * d_x[j] * t12[j];
+            t56[j] = t22[j] + 0.5 * d_y[j] * t12[j];
+            const real t63 = t26 * (2.0 * t4 - t1 * (2.0 * t3 - 6.200396825396825e-06 * t1));
+            const real t64 = t2 - t3;
+            const real t65 = turn * (2.0 * t64 * t27 + 1.240079365079365e-05 * t28 - t29);
+            t66[j] = l0 * (t63 + 2.0 * t65);
+            t67[j] = l0 * (t4 + t1 * t64) * turn;
+            t70[j] = l0 * (1.0 + phi_y);
         }
         for (size_t j = 0; j < 8; j++) {
             cos_mean[j] = real_cos(mean[j]);
@@ -284,82 +300,82 @@ static void planar_beam_logarithmic_rates(size_t nblocks, const real *const *in,
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real straight_y = d_y[j] * cos_mean[j] - d_x[j] * sin_mean[j];
-            const real t2 = d_x[j] * cos_mean[j] + d_y[j] * sin_mean[j];
-            const real straight_x = t2 + t7[j];
-            const real t8 = real_sqrt(straight_x * straight_x + straight_y * straight_y);
-            const real t9 = 1.0 / (t1[j] + t8);
+            const real t0 = d_x[j] * cos_mean[j] + d_y[j] * sin_mean[j];
+            const real straight_x = t0 + t5[j];
+            const real t6 = real_sqrt(straight_x * straight_x + straight_y * straight_y);
+            const real t9 = 1.0 / (t6 + t8[j]);
             const real bow = straight_y * t9;
-            const real t10 = t0[j] * bow;
-            const real t12 = t11[j] * sin_mean[j];
-            const real t13 = 1.0 / t8;
-            const real t14 = t9 * t9;
-            const real t15 = t13 * t14;
-            const real t16 = straight_x * t15;
-            const real t17 = t11[j] * cos_mean[j];
-            const real t18 = straight_y * t15;
-            const real t20 = t19[j] * cos_mean[j] - 0.5 * (d_y[j] * t12 + d_x[j] * t17);
-            const real t22 = t20 - t21[j] * sin_mean[j];
-            const real t23 = straight_y * t13;
-            const real t24 = t23 * t14;
-            const real t30 = t29[j] + 0.5 * (d_y[j] * t17 - d_x[j] * t12) + t21[j] * cos_mean[j];
-            const real t31 = t19[j] * sin_mean[j] + t30;
-            const real t32 = straight_y * t22 + straight_x * t31;
-            const real t33 = t13 * t32;
+            const real t11 = bow * t10[j];
+            const real t13 = t12[j] * sin_mean[j];
+            const real t14 = 1.0 / t6;
+            const real t15 = t9 * t9;
+            const real t16 = t14 * t15;
+            const real t17 = straight_x * t16;
+            const real t18 = t12[j] * cos_mean[j];
+            const real t19 = straight_y * t16;
+            const real t21 = t20[j] * cos_mean[j] - 0.5 * (d_y[j] * t13 + d_x[j] * t18);
+            const real t23 = t21 - t22[j] * sin_mean[j];
+            const real t24 = straight_y * t14;
+            const real t25 = t24 * t15;
+            const real t31 = t30[j] + 0.5 * (d_y[j] * t18 - d_x[j] * t13) + t22[j] * cos_mean[j];
+            const real t32 = t20[j] * sin_mean[j] + t31;
+            const real t33 = straight_y * t23 + straight_x * t32;
             const real t34 = t14 * t33;
-            const real t35 = t9 * t33;
-            const real t36 = t14 * t32 * t13 * t13;
-            const real t37 = t34 + straight_y * (t22 * t15 - 2.0 * t35 * t24 - t23 * t36);
-            const real t38 = t22 * t24 + t37;
-            const real t39 = 0.5 * (straight_y * (t12 * t16 + t17 * t18) - t9 * t17) + sin_mean[j] * t38;
-            const real t40 = straight_x * t13;
-            const real t41 = t14 * t40;
-            const real t42 = t22 * t41 + straight_y * (t15 * t31 - 2.0 * t35 * t41 - t40 * t36);
-            const real t43 = t39 - cos_mean[j] * t42;
-            const real t44 = t0[j] * (t9 * t22 - straight_y * t34);
-            const real t45 = straight_y * t44;
-            const real t46 = t41 * t45;
-            const real t47 = t9 * t44 - t24 * t45;
-            const real t48 = 2.0 * (t10 * t43 - cos_mean[j] * t46 - sin_mean[j] * t47);
-            const real t49 = t48 - 0.5 * t12;
-            Phi_x[3 * 8 + j] = t49; /* Phi_x(0,3) */
-            Phi_x[0 * 8 + j] = -t49; /* Phi_x(0,0) */
-            const real t50 = cos_mean[j] * t38 + sin_mean[j] * t42 + 0.5 * (t9 * t12 + straight_y * (t17 * t16 - t12
-                * t18));
-            const real t51 = 2.0 * (cos_mean[j] * t47 - sin_mean[j] * t46 - t10 * t50);
-            const real t52 = 0.5 * t17 + t51;
-            Phi_x[4 * 8 + j] = t52; /* Phi_x(0,4) */
-            Phi_x[1 * 8 + j] = -t52; /* Phi_x(0,1) */
-            const real t54 = cos_mean[j] * t53[j];
-            const real t56 = sin_mean[j] * t55[j];
-            const real t57 = sin_mean[j] * t53[j] + cos_mean[j] * t55[j];
-            const real t58 = t2 * t38 - straight_y * (t16 * (t54 - t56) + t42 - t18 * t57);
-            const real t59 = t58 - t9 * t57;
-            const real t60 = t54 + 2.0 * (t10 * t59 - straight_y * t46 - t2 * t47) - t56;
-            const real t61 = 0.5 * t60;
-            const real t67 = straight_y * t16 * t65[j] + 2.0 * t66[j] * t42;
-            const real t68 = t65[j] - 4.0 * t66[j] * t46 - 2.0 * t10 * t67;
-            Phi_x[2 * 8 + j] = t61 - t68; /* Phi_x(0,2) */
-            Phi_x[5 * 8 + j] = t68 + t61; /* Phi_x(0,5) */
-            const real t70 = t69[j] * t43;
-            Phi_x[9 * 8 + j] = Phi_x[12 * 8 + j] = t70; /* Phi_x(1,3) Phi_x(2,0) */
-            Phi_x[6 * 8 + j] = Phi_x[15 * 8 + j] = -t70; /* Phi_x(1,0) Phi_x(2,3) */
-            const real t71 = t69[j] * t50;
-            Phi_x[7 * 8 + j] = Phi_x[16 * 8 + j] = t71; /* Phi_x(1,1) Phi_x(2,4) */
-            const real t72 = t69[j] * t67;
-            const real t73 = 0.5 * t69[j] * t59;
-            const real t74 = t72 + t73;
-            Phi_x[8 * 8 + j] = t74; /* Phi_x(1,2) */
-            Phi_x[10 * 8 + j] = Phi_x[13 * 8 + j] = -t71; /* Phi_x(1,4) Phi_x(2,1) */
-            const real t75 = t73 - t72;
-            Phi_x[11 * 8 + j] = t75; /* Phi_x(1,5) */
-            Phi_x[14 * 8 + j] = -t74; /* Phi_x(2,2) */
-            Phi_x[17 * 8 + j] = -t75; /* Phi_x(2,5) */
+            const real t35 = t15 * t34;
+            const real t36 = t9 * t34;
+            const real t37 = t15 * t33 * t14 * t14;
+            const real t38 = t35 + straight_y * (t23 * t16 - 2.0 * t36 * t25 - t24 * t37);
+            const real t39 = t23 * t25 + t38;
+            const real t40 = 0.5 * (straight_y * (t13 * t17 + t18 * t19) - t9 * t18) + sin_mean[j] * t39;
+            const real t41 = straight_x * t14;
+            const real t42 = t15 * t41;
+            const real t43 = t23 * t42 + straight_y * (t16 * t32 - 2.0 * t36 * t42 - t41 * t37);
+            const real t44 = t40 - cos_mean[j] * t43;
+            const real t45 = t9 * t23 - straight_y * t35;
+            const real t46 = straight_y * t10[j] * t45;
+            const real t47 = t46 * t42;
+            const real t48 = t9 * t10[j] * t45 - t46 * t25;
+            const real t49 = 2.0 * (t11 * t44 - cos_mean[j] * t47 - sin_mean[j] * t48);
+            const real t50 = t49 - 0.5 * t13;
+            Phi_x[3 * 8 + j] = t50; /* Phi_x(0,3) */
+            Phi_x[0 * 8 + j] = -t50; /* Phi_x(0,0) */
+            const real t51 = cos_mean[j] * t39 + sin_mean[j] * t43 + 0.5 * (t9 * t13 + straight_y * (t18 * t17 - t13
+                * t19));
+            const real t52 = 2.0 * (cos_mean[j] * t48 - sin_mean[j] * t47 - t11 * t51);
+            const real t53 = 0.5 * t18 + t52;
+            Phi_x[4 * 8 + j] = t53; /* Phi_x(0,4) */
+            Phi_x[1 * 8 + j] = -t53; /* Phi_x(0,1) */
+            const real t55 = cos_mean[j] * t54[j];
+            const real t57 = sin_mean[j] * t56[j];
+            const real t58 = sin_mean[j] * t54[j] + cos_mean[j] * t56[j];
+            const real t59 = t0 * t39 - straight_y * (t17 * (t55 - t57) + t43 - t19 * t58);
+            const real t60 = t59 - t9 * t58;
+            const real t61 = t55 + 2.0 * (t11 * t60 - straight_y * t47 - t0 * t48) - t57;
+            const real t62 = 0.5 * t61;
+            const real t68 = straight_y * t17 * t66[j] + 2.0 * t67[j] * t43;
+            const real t69 = t66[j] - 4.0 * t67[j] * t47 - 2.0 * t11 * t68;
+            Phi_x[2 * 8 + j] = t62 - t69; /* Phi_x(0,2) */
+            Phi_x[5 * 8 + j] = t69 + t62; /* Phi_x(0,5) */
+            const real t71 = t70[j] * t44;
+            Phi_x[9 * 8 + j] = Phi_x[12 * 8 + j] = t71; /* Phi_x(1,3) Phi_x(2,0) */
+            Phi_x[6 * 8 + j] = Phi_x[15 * 8 + j] = -t71; /* Phi_x(1,0) Phi_x(2,3) */
+            const real t72 = t70[j] * t51;
+            Phi_x[7 * 8 + j] = Phi_x[16 * 8 + j] = t72; /* Phi_x(1,1) Phi_x(2,4) */
+            const real t73 = t70[j] * t68;
+            const real t74 = 0.5 * t70[j] * t60;
+            const real t75 = t73 + t74;
+            Phi_x[8 * 8 + j] = t75; /* Phi_x(1,2) */
+            Phi_x[10 * 8 + j] = Phi_x[13 * 8 + j] = -t72; /* Phi_x(1,4) Phi_x(2,1) */
+            const real t76 = t74 - t73;
+            Phi_x[11 * 8 + j] = t76; /* Phi_x(1,5) */
+            Phi_x[14 * 8 + j] = -t75; /* Phi_x(2,2) */
+            Phi_x[17 * 8 + j] = -t76; /* Phi_x(2,5) */
         }
     }
 }
 
-/* kinematics: 731 operations.
- * in:  x (6), v (6), a (6), p (8)
+/* kinematics: 739 operations.
+ * in:  x (6), v (6), a (6), p (9)
  * out: Psi_x (3,6), Psi_v (3,6) */
 FLEXEL_CLONES
 static void planar_beam_logarithmic_kinematics(size_t nblocks, const real *const *in, real *const *out)
@@ -368,12 +384,12 @@ static void planar_beam_logarithmic_kinematics(size_t nblocks, const real *const
         const real *restrict x = in[0] + b * (6 * 8);
         const real *restrict v = in[1] + b * (6 * 8);
         const real *restrict a = in[2] + b * (6 * 8);
-        const real *restrict p = in[3] + b * (8 * 8);
+        const real *restrict p = in[3] + b * (9 * 8);
         real *restrict Psi_x = out[0] + b * (18 * 8);
         real *restrict Psi_v = out[1] + b * (18 * 8);
-        real mean[8], cos_mean[8], d_y[8], sin_mean[8], d_x[8], t6[8], t9[8], t13[8], t14[8], t15[8], t19[8], t25[8],
-            t45[8], t54[8], t55[8], t56[8], t75[8], t122[8], t124[8], t125[8], t126[8], t128[8], t130[8], t132[8],
-            t148[8], t150[8], t152[8], t157[8], t162[8], t166[8], t168[8], t194[8];
+        real mean[8], cos_mean[8], d_y[8], sin_mean[8], d_x[8], t6[8], t11[8], t15[8], t16[8], t17[8], t21[8], t27[8],
+            t46[8], t55[8], t56[8], t57[8], t76[8], t123[8], t125[8], t126[8], t127[8], t129[8], t131[8], t133[8],
+            t149[8], t151[8], t153[8], t158[8], t163[8], t167[8], t169[8], t195[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real alpha0 = p[1 * 8 + j];
@@ -395,72 +411,76 @@ static void planar_beam_logarithmic_kinematics(size_t nblocks, const real *const
             const real l0 = p[0 * 8 + j];
             const real t5 = l0 * t1;
             t6[j] = t4 * t5;
-            const real phi_z = p[5 * 8 + j];
-            t9[j] = l0 * phi_z;
-            t13[j] = l0 * (phi_z + 0.6);
+            const real t9 = 1.0 / l0;
+            const real GAy = p[6 * 8 + j];
+            const real EIz = p[5 * 8 + j];
+            const real t10 = 1.0 / GAy * EIz * t9 * t9;
+            t11[j] = 12.0 * (l0 * t10);
+            const real phi_y = 12.0 * t10;
+            t15[j] = l0 * (0.6 + phi_y);
             const real q_vy = v[4 * 8 + j];
             const real p_vy = v[1 * 8 + j];
-            t14[j] = q_vy - p_vy;
+            t16[j] = q_vy - p_vy;
             const real rp_vangle = v[2 * 8 + j];
             const real rq_vangle = v[5 * 8 + j];
-            t15[j] = rp_vangle + rq_vangle;
+            t17[j] = rp_vangle + rq_vangle;
             const real q_vx = v[3 * 8 + j];
             const real p_vx = v[0 * 8 + j];
-            t19[j] = q_vx - p_vx;
-            const real t21 = rq_vangle - rp_vangle;
-            const real t22 = turn * t21;
-            const real t23 = t1 * t22;
-            const real t24 = 2.0 * t3 * t22 - 6.200396825396825e-06 * t23;
-            t25[j] = l0 * (2.0 * t4 * t22 - t1 * t24);
+            t21[j] = q_vx - p_vx;
+            const real t23 = rq_vangle - rp_vangle;
+            const real t24 = turn * t23;
+            const real t25 = t1 * t24;
+            const real t26 = 2.0 * t3 * t24 - 6.200396825396825e-06 * t25;
+            t27[j] = l0 * (2.0 * t4 * t24 - t1 * t26);
             const real rp_aangle = a[2 * 8 + j];
             const real rq_aangle = a[5 * 8 + j];
-            t45[j] = rp_aangle + rq_aangle;
-            const real t50 = rq_aangle - rp_aangle;
-            const real t51 = turn * t50;
-            const real t52 = t1 * t51;
-            const real t53 = 2.0 * t3 * t51 - 6.200396825396825e-06 * t52;
-            t54[j] = l0 * (2.0 * t4 * t51 - t1 * t53);
+            t46[j] = rp_aangle + rq_aangle;
+            const real t51 = rq_aangle - rp_aangle;
+            const real t52 = turn * t51;
+            const real t53 = t1 * t52;
+            const real t54 = 2.0 * t3 * t52 - 6.200396825396825e-06 * t53;
+            t55[j] = l0 * (2.0 * t4 * t52 - t1 * t54);
             const real q_ax = a[3 * 8 + j];
             const real p_ax = a[0 * 8 + j];
-            t55[j] = q_ax - p_ax;
+            t56[j] = q_ax - p_ax;
             const real q_ay = a[4 * 8 + j];
             const real p_ay = a[1 * 8 + j];
-            t56[j] = q_ay - p_ay;
-            const real t71 = t21 * t21;
-            const real t72 = t22 * t22;
-            const real t73 = t1 * t71;
-            const real t74 = 2.0 * (t3 * t71 - 6.200396825396825e-06 * t72) - 6.200396825396825e-06 * (2.0 * t72
-                + t73);
-            t75[j] = l0 * (2.0 * (t4 * t71 - 2.0 * t22 * t24) - t1 * t74);
-            t122[j] = t56[j] - 0.5 * d_x[j] * t45[j];
-            const real t123 = d_y[j] * t15[j];
-            t124[j] = t15[j] * (t19[j] + 0.25 * t123);
-            t125[j] = t122[j] - t124[j];
-            t126[j] = t55[j] + 0.5 * d_y[j] * t45[j];
-            const real t127 = d_x[j] * t15[j];
-            t128[j] = t15[j] * (t14[j] - 0.25 * t127);
-            t130[j] = t14[j] - 0.5 * t127;
-            t132[j] = t19[j] + 0.5 * t123;
-            const real t146 = t2 - t3;
-            const real t147 = l0 * (1.240079365079365e-05 * t52 - t53 + 2.0 * t146 * t51);
-            t148[j] = turn * t147;
-            const real t149 = l0 * t4;
-            t150[j] = turn * (t149 + t146 * t5);
-            const real t151 = 2.0 * t3 - 6.200396825396825e-06 * t1;
-            t152[j] = l0 * t50 * (2.0 * t4 - t1 * t151);
-            const real t153 = l0 * t22;
-            const real t154 = 2.0 * t146 * t153;
-            const real t155 = turn * (1.240079365079365e-05 * (t5 * t22) + t154 - l0 * t24);
-            const real t156 = t21 * t151;
-            t157[j] = 2.0 * (t149 * t21 + t155) - t5 * t156;
-            const real t159 = l0 * (1.240079365079365e-05 * t73 + 2.0 * t146 * t71 - t74);
-            const real t160 = 2.0 * turn * (4.96031746031746e-05 * (t22 * t153) + t159);
-            const real t161 = l0 * (4.96031746031746e-05 * t23 - 4.0 * t24) * t21 + t160;
-            t162[j] = t161 - 4.0 * t156 * t153;
-            t166[j] = t152[j] + t162[j];
-            t168[j] = l0 * (1.0 + phi_z);
-            const real t193 = 2.0 * turn * (l0 * (1.240079365079365e-05 * t23 - t24) + t154);
-            t194[j] = l0 * (2.0 * t4 * t21 - t1 * t156) + t193;
+            t57[j] = q_ay - p_ay;
+            const real t72 = t23 * t23;
+            const real t73 = t24 * t24;
+            const real t74 = t1 * t72;
+            const real t75 = 2.0 * (t3 * t72 - 6.200396825396825e-06 * t73) - 6.200396825396825e-06 * (2.0 * t73
+                + t74);
+            t76[j] = l0 * (2.0 * (t4 * t72 - 2.0 * t24 * t26) - t1 * t75);
+            t123[j] = t57[j] - 0.5 * d_x[j] * t46[j];
+            const real t124 = d_y[j] * t17[j];
+            t125[j] = t17[j] * (t21[j] + 0.25 * t124);
+            t126[j] = t123[j] - t125[j];
+            t127[j] = t56[j] + 0.5 * d_y[j] * t46[j];
+            const real t128 = d_x[j] * t17[j];
+            t129[j] = t17[j] * (t16[j] - 0.25 * t128);
+            t131[j] = t16[j] - 0.5 * t128;
+            t133[j] = t21[j] + 0.5 * t124;
+            const real t147 = t2 - t3;
+            const real t148 = l0 * (1.240079365079365e-05 * t53 - t54 + 2.0 * t147 * t52);
+            t149[j] = turn * t148;
+            const real t150 = l0 * t4;
+            t151[j] = turn * (t150 + t147 * t5);
+            const real t152 = 2.0 * t3 - 6.200396825396825e-06 * t1;
+            t153[j] = l0 * t51 * (2.0 * t4 - t1 * t152);
+            const real t154 = l0 * t24;
+            const real t155 = 2.0 * t147 * t154;
+            const real t156 = turn * (1.240079365079365e-05 * (t5 * t24) + t155 - l0 * t26);
+            const real t157 = t23 * t152;
+            t158[j] = 2.0 * (t150 * t23 + t156) - t5 * t157;
+            const real t160 = l0 * (1.240079365079365e-05 * t74 + 2.0 * t147 * t72 - t75);
+            const real t161 = 2.0 * turn * (4.96031746031746e-05 * (t24 * t154) + t160);
+            const real t162 = l0 * (4.96031746031746e-05 * t25 - 4.0 * t26) * t23 + t161;
+            t163[j] = t162 - 4.0 * t157 * t154;
+            t167[j] = t153[j] + t163[j];
+            t169[j] = l0 * (1.0 + phi_y);
+            const real t194 = 2.0 * turn * (l0 * (1.240079365079365e-05 * t25 - t26) + t155);
+            t195[j] = l0 * (2.0 * t4 * t23 - t1 * t157) + t194;
         }
         for (size_t j = 0; j < 8; j++) {
             cos_mean[j] = real_cos(mean[j]);
@@ -473,187 +493,186 @@ static void planar_beam_logarithmic_kinematics(size_t nblocks, const real *const
             const real straight_x = t0 + t6[j];
             const real t7 = real_sqrt(straight_y * straight_y + straight_x * straight_x);
             const real t8 = 1.0 / t7;
-            const real t10 = 1.0 / (t9[j] + t7);
-            const real t11 = t10 * t10;
-            const real t12 = t8 * t11;
-            const real t16 = sin_mean[j] * t15[j];
-            const real t17 = cos_mean[j] * t15[j];
-            const real t18 = cos_mean[j] * t14[j] - 0.5 * (d_y[j] * t16 + d_x[j] * t17);
-            const real t20 = t18 - sin_mean[j] * t19[j];
-            const real t26 = cos_mean[j] * t19[j] + sin_mean[j] * t14[j] + t25[j] + 0.5 * (d_y[j] * t17 - d_x[j]
-                * t16);
-            const real t27 = straight_y * t20 + t26 * straight_x;
-            const real t28 = t8 * t27;
-            const real t29 = t11 * t28;
-            const real t30 = t20 * t10 - straight_y * t29;
-            const real t31 = t13[j] * t30;
-            const real t32 = straight_y * t31;
-            const real t33 = t12 * t32;
-            const real t34 = straight_y * t17 + t16 * straight_x;
-            const real bow = straight_y * t10;
-            const real t35 = t13[j] * bow;
-            const real t36 = t15[j] * t16;
-            const real t37 = straight_y * t12;
-            const real t38 = t15[j] * t17;
-            const real t39 = straight_x * t12;
-            const real t40 = t26 * t12;
-            const real t41 = straight_y * (0.5 * (t36 * t37 - t38 * t39) - 2.0 * t16 * t40);
-            const real t42 = 2.0 * t29;
-            const real t43 = t20 * t12;
-            const real t44 = t42 + 2.0 * straight_y * t43;
-            const real t46 = sin_mean[j] * t45[j];
-            const real t47 = straight_x * t37;
-            const real t48 = cos_mean[j] * t45[j];
-            const real t49 = t10 - straight_y * t37;
-            const real t57 = cos_mean[j] * t55[j] + sin_mean[j] * t56[j] + t54[j] + 0.5 * (d_y[j] * t48 - d_x[j]
-                * t46);
-            const real t58 = cos_mean[j] * t56[j] - 0.5 * (d_y[j] * t46 + d_x[j] * t48);
-            const real t59 = t58 - sin_mean[j] * t55[j];
-            const real t60 = straight_x * t57 + straight_y * t59;
-            const real t61 = straight_y * t60 * t11;
-            const real t62 = straight_y * t8;
-            const real t63 = t8 * t8;
-            const real t64 = t62 * t63;
-            const real t65 = t8 * t60;
-            const real t66 = t11 * t65;
-            const real t67 = t62 * t11;
-            const real t68 = t59 - 2.0 * bow * t65;
-            const real t69 = t19[j] * t16;
-            const real t70 = 2.0 * t14[j] * t17 - 0.5 * (d_x[j] * t38 + d_y[j] * t36) - t69;
-            const real t76 = 0.5 * (t70 - t69) + t75[j];
-            const real t77 = t14[j] * t16;
-            const real t78 = t19[j] * t17;
-            const real t79 = t78 + 0.5 * (d_y[j] * t38 - d_x[j] * t36) + t78 + t77 + t77;
-            const real t80 = t20 * t20 + t26 * t26 + straight_x * t76 - 0.5 * straight_y * t79;
-            const real t81 = t28 * t63;
-            const real t82 = t8 * t80 - t27 * t81;
-            const real t83 = t10 * t29;
-            const real t84 = 2.0 * t11 * t82 - 4.0 * t28 * t83;
-            const real t85 = t11 * t27;
-            const real t86 = t85 * t63;
-            const real t87 = t86 + 2.0 * t83;
-            const real t88 = t11 * (2.0 * t80 - 4.0 * t28 * t28) - 2.0 * t27 * t87;
-            const real t89 = 4.0 * t10 * t82 - 4.0 * t28 * t29;
-            const real t90 = t84 - straight_y * (t67 * t89 + t79 * t12 + t64 * t88) - t79 * t67;
-            const real t91 = t10 * t28;
-            const real t92 = t20 - straight_y * t91;
-            const real t93 = t12 * t92 - 0.5 * straight_y * (t11 * t81 + t8 * t87);
-            const real t94 = 4.0 * t91 * t67;
-            const real t95 = t94 + 2.0 * t85 * t64;
-            const real t96 = t61 * t64 - t66 - t37 * t59 - t67 * t68 - (0.5 * t90 + 2.0 * t20 * t93 - t92 * t95);
-            const real t97 = 0.5 * (t41 - t17 * t44 - (t46 * t47 - t48 * t49)) + sin_mean[j] * t96;
-            const real t98 = straight_x * t8;
-            const real t99 = t98 * t63;
-            const real t100 = t11 * t98;
-            const real t101 = t61 * t99 - t37 * t57 - t100 * t68;
-            const real t102 = t97 - 0.25 * t36 * t10 - t93 * t34 - cos_mean[j] * t101;
-            const real t103 = t10 * t31;
-            const real t104 = 4.0 * t91 * t100;
-            const real t105 = t104 + 2.0 * t85 * t99;
-            const real t106 = straight_y * (2.0 * t12 * t76 - t99 * t88 - t100 * t89) - t79 * t100;
-            const real t107 = 0.5 * t106 + 2.0 * t26 * t93 - t92 * t105;
-            const real t108 = t13[j] * (t10 * t59 - straight_y * t66);
-            const real t109 = 4.0 * t20 * t29 + straight_y * t84 + t79 * t10;
-            const real t110 = straight_y * t108 + t13[j] * (2.0 * t20 * t30 - 0.5 * straight_y * t109);
-            const real t111 = 2.0 * (t32 * t105 - t35 * t107 - t100 * t110) - 4.0 * t26 * t33;
-            const real t112 = 2.0 * (t33 * t34 - t35 * t102 - t17 * t103) + cos_mean[j] * t111;
-            const real t113 = t10 * t108 + t32 * t95 - t13[j] * (0.5 * t10 * t109 + 2.0 * t29 * t30);
-            const real t114 = 2.0 * (t113 - t67 * t110) - 4.0 * t20 * t33;
-            const real t115 = t112 - 0.5 * t46 - 0.25 * t38 - sin_mean[j] * t114;
-            Psi_x[3 * 8 + j] = t115; /* Psi_x(0,3) */
-            Psi_x[0 * 8 + j] = -t115; /* Psi_x(0,0) */
-            const real t116 = t17 * straight_x - straight_y * t16;
-            const real t117 = straight_y * (2.0 * t17 * t40 - 0.5 * (t38 * t37 + t36 * t39));
-            const real t118 = 0.5 * (t117 - t16 * t44 + (t48 * t47 + t46 * t49)) + t93 * t116;
-            const real t119 = 0.25 * t38 * t10 + t118 - cos_mean[j] * t96 - sin_mean[j] * t101;
-            const real t120 = 0.5 * t48 + sin_mean[j] * t111 + cos_mean[j] * t114 - 2.0 * (t33 * t116 + t35 * t119
-                + t16 * t103);
-            const real t121 = t120 - 0.25 * t36;
-            Psi_x[4 * 8 + j] = t121; /* Psi_x(0,4) */
-            Psi_x[1 * 8 + j] = -t121; /* Psi_x(0,1) */
-            const real t129 = sin_mean[j] * t124[j];
-            const real t131 = cos_mean[j] * t130[j];
-            const real t133 = sin_mean[j] * t132[j];
-            const real t134 = t131 - t133;
-            const real t135 = sin_mean[j] * t130[j] + cos_mean[j] * t132[j];
-            const real t136 = t134 * straight_x - straight_y * t135;
-            const real t137 = sin_mean[j] * t128[j];
-            const real t138 = 4.0 * t130[j] * t40 - 2.0 * (t128[j] * t37 + t124[j] * t39);
-            const real t139 = 2.0 * (t129 * t37 - t137 * t39) + cos_mean[j] * t138 - 4.0 * t133 * t40;
-            const real t140 = t0 * t96 + straight_y * (0.5 * t139 - t101) + 2.0 * t93 * t136;
-            const real t141 = t10 * (cos_mean[j] * t128[j] - t129) + t140 + cos_mean[j] * (t122[j] * t47 + t126[j]
-                * t49);
-            const real t142 = t141 - t135 * t44 - sin_mean[j] * (t126[j] * t47 - t122[j] * t49);
-            const real t143 = cos_mean[j] * t125[j] + straight_y * t111 - 2.0 * (t35 * t142 + 2.0 * t33 * t136);
-            const real t144 = t143 - sin_mean[j] * t126[j] - t137 - 4.0 * t135 * t103 - t0 * t114;
-            const real t145 = 0.5 * t144;
-            const real t158 = t157[j] * straight_x;
-            const real t163 = 0.5 * straight_y * (4.0 * t157[j] * t40 + 2.0 * t39 * t162[j]);
-            const real t164 = 2.0 * (t158 * t93 - (t150[j] * t101 - t47 * t148[j])) + t163;
-            const real t165 = t47 * t152[j] + t164;
-            const real t167 = 2.0 * (t148[j] + t150[j] * t111 - t35 * t165) + t166[j] - 4.0 * t158 * t33;
-            Psi_x[2 * 8 + j] = t145 - t167; /* Psi_x(0,2) */
-            Psi_x[5 * 8 + j] = t167 + t145; /* Psi_x(0,5) */
-            const real t169 = t168[j] * t107;
-            const real t170 = t168[j] * t102 + cos_mean[j] * t169;
-            Psi_x[6 * 8 + j] = Psi_x[15 * 8 + j] = t170; /* Psi_x(1,0) Psi_x(2,3) */
-            const real t171 = t168[j] * t119 + sin_mean[j] * t169;
-            Psi_x[7 * 8 + j] = Psi_x[16 * 8 + j] = t171; /* Psi_x(1,1) Psi_x(2,4) */
-            const real t172 = t168[j] * t165 + 2.0 * t150[j] * t169;
-            const real t173 = 0.5 * (t168[j] * t142 + straight_y * t169);
-            const real t174 = t172 - t173;
-            Psi_x[8 * 8 + j] = t174; /* Psi_x(1,2) */
-            Psi_x[9 * 8 + j] = Psi_x[12 * 8 + j] = -t170; /* Psi_x(1,3) Psi_x(2,0) */
-            Psi_x[10 * 8 + j] = Psi_x[13 * 8 + j] = -t171; /* Psi_x(1,4) Psi_x(2,1) */
-            const real t175 = t172 + t173;
-            Psi_x[17 * 8 + j] = t175; /* Psi_x(2,5) */
-            Psi_x[11 * 8 + j] = -t175; /* Psi_x(1,5) */
-            Psi_x[14 * 8 + j] = -t174; /* Psi_x(2,2) */
-            const real t176 = 0.5 * (t42 + straight_y * (2.0 * (t43 - t62 * t86) - t94));
-            const real t177 = t20 * t67 + t176;
-            const real t178 = 0.5 * (straight_y * (t16 * t39 + t17 * t37) - t17 * t10) + sin_mean[j] * t177;
-            const real t179 = t20 * t100 + 0.5 * straight_y * (2.0 * (t40 - t98 * t86) - t104);
-            const real t180 = t178 - cos_mean[j] * t179;
-            const real t181 = t32 * t100;
-            const real t182 = t103 - t32 * t67;
-            const real t183 = 2.0 * (t35 * t180 - cos_mean[j] * t181 - sin_mean[j] * t182);
-            const real t184 = 2.0 * (t183 - 0.5 * t16);
-            Psi_v[3 * 8 + j] = t184; /* Psi_v(0,3) */
-            Psi_v[0 * 8 + j] = -t184; /* Psi_v(0,0) */
-            const real t185 = sin_mean[j] * t179 + 0.5 * (t16 * t10 + straight_y * (t17 * t39 - t16 * t37));
-            const real t186 = cos_mean[j] * t177 + t185;
-            const real t187 = 2.0 * (cos_mean[j] * t182 - (sin_mean[j] * t181 + t35 * t186));
-            const real t188 = 2.0 * (0.5 * t17 + t187);
-            Psi_v[4 * 8 + j] = t188; /* Psi_v(0,4) */
-            Psi_v[1 * 8 + j] = -t188; /* Psi_v(0,1) */
-            const real t189 = t0 * t177 - straight_y * (t179 + t134 * t39 - t135 * t37);
-            const real t190 = t189 - t135 * t10;
-            const real t191 = t131 + 2.0 * (t35 * t190 - straight_y * t181 - t0 * t182);
-            const real t192 = 0.5 * (t191 - t133);
-            const real t195 = straight_y * t194[j] * t39 + 2.0 * t150[j] * t179;
-            const real t196 = t194[j] - 4.0 * t150[j] * t181 - 2.0 * t35 * t195;
-            Psi_v[2 * 8 + j] = 2.0 * (t192 - t196); /* Psi_v(0,2) */
-            Psi_v[5 * 8 + j] = 2.0 * (t196 + t192); /* Psi_v(0,5) */
-            const real t197 = 2.0 * t168[j] * t180;
-            Psi_v[9 * 8 + j] = Psi_v[12 * 8 + j] = t197; /* Psi_v(1,3) Psi_v(2,0) */
-            Psi_v[6 * 8 + j] = Psi_v[15 * 8 + j] = -t197; /* Psi_v(1,0) Psi_v(2,3) */
-            const real t198 = 2.0 * t168[j] * t186;
-            Psi_v[7 * 8 + j] = Psi_v[16 * 8 + j] = t198; /* Psi_v(1,1) Psi_v(2,4) */
-            const real t199 = t168[j] * t195;
-            const real t200 = 0.5 * t168[j] * t190;
-            const real t201 = 2.0 * (t199 + t200);
-            Psi_v[8 * 8 + j] = t201; /* Psi_v(1,2) */
-            Psi_v[10 * 8 + j] = Psi_v[13 * 8 + j] = -t198; /* Psi_v(1,4) Psi_v(2,1) */
-            const real t202 = 2.0 * (t200 - t199);
-            Psi_v[11 * 8 + j] = t202; /* Psi_v(1,5) */
-            Psi_v[14 * 8 + j] = -t201; /* Psi_v(2,2) */
-            Psi_v[17 * 8 + j] = -t202; /* Psi_v(2,5) */
+            const real t12 = 1.0 / (t11[j] + t7);
+            const real t13 = t12 * t12;
+            const real t14 = t8 * t13;
+            const real t18 = sin_mean[j] * t17[j];
+            const real t19 = cos_mean[j] * t17[j];
+            const real t20 = cos_mean[j] * t16[j] - 0.5 * (d_y[j] * t18 + d_x[j] * t19);
+            const real t22 = t20 - sin_mean[j] * t21[j];
+            const real t28 = cos_mean[j] * t21[j] + sin_mean[j] * t16[j] + t27[j] + 0.5 * (d_y[j] * t19 - d_x[j]
+                * t18);
+            const real t29 = straight_y * t22 + t28 * straight_x;
+            const real t30 = t8 * t29;
+            const real t31 = t13 * t30;
+            const real t32 = t22 * t12 - straight_y * t31;
+            const real t33 = straight_y * t32 * t15[j];
+            const real t34 = t14 * t33;
+            const real t35 = straight_y * t19 + t18 * straight_x;
+            const real bow = straight_y * t12;
+            const real t36 = t15[j] * bow;
+            const real t37 = t17[j] * t18;
+            const real t38 = straight_y * t14;
+            const real t39 = t17[j] * t19;
+            const real t40 = straight_x * t14;
+            const real t41 = t28 * t14;
+            const real t42 = straight_y * (0.5 * (t37 * t38 - t39 * t40) - 2.0 * t18 * t41);
+            const real t43 = 2.0 * t31;
+            const real t44 = t22 * t14;
+            const real t45 = t43 + 2.0 * straight_y * t44;
+            const real t47 = sin_mean[j] * t46[j];
+            const real t48 = straight_x * t38;
+            const real t49 = cos_mean[j] * t46[j];
+            const real t50 = t12 - straight_y * t38;
+            const real t58 = cos_mean[j] * t56[j] + sin_mean[j] * t57[j] + t55[j] + 0.5 * (d_y[j] * t49 - d_x[j]
+                * t47);
+            const real t59 = cos_mean[j] * t57[j] - 0.5 * (d_y[j] * t47 + d_x[j] * t49);
+            const real t60 = t59 - sin_mean[j] * t56[j];
+            const real t61 = straight_x * t58 + straight_y * t60;
+            const real t62 = straight_y * t61 * t13;
+            const real t63 = straight_y * t8;
+            const real t64 = t8 * t8;
+            const real t65 = t63 * t64;
+            const real t66 = t8 * t61;
+            const real t67 = t13 * t66;
+            const real t68 = t63 * t13;
+            const real t69 = t60 - 2.0 * bow * t66;
+            const real t70 = t21[j] * t18;
+            const real t71 = 2.0 * t16[j] * t19 - 0.5 * (d_x[j] * t39 + d_y[j] * t37) - t70;
+            const real t77 = 0.5 * (t71 - t70) + t76[j];
+            const real t78 = t16[j] * t18;
+            const real t79 = t21[j] * t19;
+            const real t80 = t79 + 0.5 * (d_y[j] * t39 - d_x[j] * t37) + t79 + t78 + t78;
+            const real t81 = t22 * t22 + t28 * t28 + straight_x * t77 - 0.5 * straight_y * t80;
+            const real t82 = t30 * t64;
+            const real t83 = t8 * t81 - t29 * t82;
+            const real t84 = t12 * t31;
+            const real t85 = 2.0 * t13 * t83 - 4.0 * t30 * t84;
+            const real t86 = t13 * t29;
+            const real t87 = t86 * t64;
+            const real t88 = t87 + 2.0 * t84;
+            const real t89 = t13 * (2.0 * t81 - 4.0 * t30 * t30) - 2.0 * t29 * t88;
+            const real t90 = 4.0 * t12 * t83 - 4.0 * t30 * t31;
+            const real t91 = t85 - straight_y * (t68 * t90 + t80 * t14 + t65 * t89) - t80 * t68;
+            const real t92 = t12 * t30;
+            const real t93 = t22 - straight_y * t92;
+            const real t94 = t14 * t93 - 0.5 * straight_y * (t13 * t82 + t8 * t88);
+            const real t95 = 4.0 * t92 * t68;
+            const real t96 = t95 + 2.0 * t86 * t65;
+            const real t97 = t62 * t65 - t67 - t38 * t60 - t68 * t69 - (0.5 * t91 + 2.0 * t22 * t94 - t93 * t96);
+            const real t98 = 0.5 * (t42 - t19 * t45 - (t47 * t48 - t49 * t50)) + sin_mean[j] * t97;
+            const real t99 = straight_x * t8;
+            const real t100 = t99 * t64;
+            const real t101 = t13 * t99;
+            const real t102 = t62 * t100 - t38 * t58 - t101 * t69;
+            const real t103 = t98 - 0.25 * t37 * t12 - t94 * t35 - cos_mean[j] * t102;
+            const real t104 = t12 * t32 * t15[j];
+            const real t105 = 4.0 * t92 * t101;
+            const real t106 = t105 + 2.0 * t86 * t100;
+            const real t107 = straight_y * (2.0 * t14 * t77 - t100 * t89 - t101 * t90) - t80 * t101;
+            const real t108 = 0.5 * t107 + 2.0 * t28 * t94 - t93 * t106;
+            const real t109 = t15[j] * (t12 * t60 - straight_y * t67);
+            const real t110 = 4.0 * t22 * t31 + straight_y * t85 + t80 * t12;
+            const real t111 = straight_y * t109 + t15[j] * (2.0 * t22 * t32 - 0.5 * straight_y * t110);
+            const real t112 = 2.0 * (t33 * t106 - t36 * t108 - t101 * t111) - 4.0 * t28 * t34;
+            const real t113 = 2.0 * (t34 * t35 - t36 * t103 - t19 * t104) + cos_mean[j] * t112;
+            const real t114 = t12 * t109 + t33 * t96 - t15[j] * (0.5 * t12 * t110 + 2.0 * t31 * t32);
+            const real t115 = 2.0 * (t114 - t68 * t111) - 4.0 * t22 * t34;
+            const real t116 = t113 - 0.5 * t47 - 0.25 * t39 - sin_mean[j] * t115;
+            Psi_x[3 * 8 + j] = t116; /* Psi_x(0,3) */
+            Psi_x[0 * 8 + j] = -t116; /* Psi_x(0,0) */
+            const real t117 = t19 * straight_x - straight_y * t18;
+            const real t118 = straight_y * (2.0 * t19 * t41 - 0.5 * (t39 * t38 + t37 * t40));
+            const real t119 = 0.5 * (t118 - t18 * t45 + (t49 * t48 + t47 * t50)) + t94 * t117;
+            const real t120 = 0.25 * t39 * t12 + t119 - cos_mean[j] * t97 - sin_mean[j] * t102;
+            const real t121 = 0.5 * t49 + sin_mean[j] * t112 + cos_mean[j] * t115 - 2.0 * (t34 * t117 + t36 * t120
+                + t18 * t104);
+            const real t122 = t121 - 0.25 * t37;
+            Psi_x[4 * 8 + j] = t122; /* Psi_x(0,4) */
+            Psi_x[1 * 8 + j] = -t122; /* Psi_x(0,1) */
+            const real t130 = sin_mean[j] * t125[j];
+            const real t132 = cos_mean[j] * t131[j];
+            const real t134 = sin_mean[j] * t133[j];
+            const real t135 = t132 - t134;
+            const real t136 = sin_mean[j] * t131[j] + cos_mean[j] * t133[j];
+            const real t137 = t135 * straight_x - straight_y * t136;
+            const real t138 = sin_mean[j] * t129[j];
+            const real t139 = 4.0 * t131[j] * t41 - 2.0 * (t129[j] * t38 + t125[j] * t40);
+            const real t140 = 2.0 * (t130 * t38 - t138 * t40) + cos_mean[j] * t139 - 4.0 * t134 * t41;
+            const real t141 = t0 * t97 + straight_y * (0.5 * t140 - t102) + 2.0 * t94 * t137;
+            const real t142 = t12 * (cos_mean[j] * t129[j] - t130) + t141 + cos_mean[j] * (t123[j] * t48 + t127[j]
+                * t50);
+            const real t143 = t142 - t136 * t45 - sin_mean[j] * (t127[j] * t48 - t123[j] * t50);
+            const real t144 = cos_mean[j] * t126[j] + straight_y * t112 - 2.0 * (t36 * t143 + 2.0 * t34 * t137);
+            const real t145 = t144 - sin_mean[j] * t127[j] - t138 - 4.0 * t136 * t104 - t0 * t115;
+            const real t146 = 0.5 * t145;
+            const real t159 = t158[j] * straight_x;
+            const real t164 = 0.5 * straight_y * (4.0 * t158[j] * t41 + 2.0 * t40 * t163[j]);
+            const real t165 = 2.0 * (t159 * t94 - (t151[j] * t102 - t48 * t149[j])) + t164;
+            const real t166 = t48 * t153[j] + t165;
+            const real t168 = 2.0 * (t149[j] + t151[j] * t112 - t36 * t166) + t167[j] - 4.0 * t159 * t34;
+            Psi_x[2 * 8 + j] = t146 - t168; /* Psi_x(0,2) */
+            Psi_x[5 * 8 + j] = t168 + t146; /* Psi_x(0,5) */
+            const real t170 = t169[j] * t108;
+            const real t171 = t169[j] * t103 + cos_mean[j] * t170;
+            Psi_x[6 * 8 + j] = Psi_x[15 * 8 + j] = t171; /* Psi_x(1,0) Psi_x(2,3) */
+            const real t172 = t169[j] * t120 + sin_mean[j] * t170;
+            Psi_x[7 * 8 + j] = Psi_x[16 * 8 + j] = t172; /* Psi_x(1,1) Psi_x(2,4) */
+            const real t173 = t169[j] * t166 + 2.0 * t151[j] * t170;
+            const real t174 = 0.5 * (t169[j] * t143 + straight_y * t170);
+            const real t175 = t173 - t174;
+            Psi_x[8 * 8 + j] = t175; /* Psi_x(1,2) */
+            Psi_x[9 * 8 + j] = Psi_x[12 * 8 + j] = -t171; /* Psi_x(1,3) Psi_x(2,0) */
+            Psi_x[10 * 8 + j] = Psi_x[13 * 8 + j] = -t172; /* Psi_x(1,4) Psi_x(2,1) */
+            const real t176 = t173 + t174;
+            Psi_x[17 * 8 + j] = t176; /* Psi_x(2,5) */
+            Psi_x[11 * 8 + j] = -t176; /* Psi_x(1,5) */
+            Psi_x[14 * 8 + j] = -t175; /* Psi_x(2,2) */
+            const real t177 = 0.5 * (t43 + straight_y * (2.0 * (t44 - t63 * t87) - t95));
+            const real t178 = t22 * t68 + t177;
+            const real t179 = 0.5 * (straight_y * (t18 * t40 + t19 * t38) - t19 * t12) + sin_mean[j] * t178;
+            const real t180 = t22 * t101 + 0.5 * straight_y * (2.0 * (t41 - t99 * t87) - t105);
+            const real t181 = t179 - cos_mean[j] * t180;
+            const real t182 = t33 * t101;
+            const real t183 = t104 - t33 * t68;
+            const real t184 = 2.0 * (t36 * t181 - cos_mean[j] * t182 - sin_mean[j] * t183);
+            const real t185 = 2.0 * (t184 - 0.5 * t18);
+            Psi_v[3 * 8 + j] = t185; /* Psi_v(0,3) */
+            Psi_v[0 * 8 + j] = -t185; /* Psi_v(0,0) */
+            const real t186 = sin_mean[j] * t180 + 0.5 * (t18 * t12 + straight_y * (t19 * t40 - t18 * t38));
+            const real t187 = cos_mean[j] * t178 + t186;
+            const real t188 = 2.0 * (cos_mean[j] * t183 - (sin_mean[j] * t182 + t36 * t187));
+            const real t189 = 2.0 * (0.5 * t19 + t188);
+            Psi_v[4 * 8 + j] = t189; /* Psi_v(0,4) */
+            Psi_v[1 * 8 + j] = -t189; /* Psi_v(0,1) */
+            const real t190 = t0 * t178 - straight_y * (t180 + t135 * t40 - t136 * t38);
+            const real t191 = t190 - t136 * t12;
+            const real t192 = t132 + 2.0 * (t36 * t191 - straight_y * t182 - t0 * t183);
+            const real t193 = 0.5 * (t192 - t134);
+            const real t196 = straight_y * t195[j] * t40 + 2.0 * t151[j] * t180;
+            const real t197 = t195[j] - 4.0 * t151[j] * t182 - 2.0 * t36 * t196;
+            Psi_v[2 * 8 + j] = 2.0 * (t193 - t197); /* Psi_v(0,2) */
+            Psi_v[5 * 8 + j] = 2.0 * (t197 + t193); /* Psi_v(0,5) */
+            const real t198 = 2.0 * t169[j] * t181;
+            Psi_v[9 * 8 + j] = Psi_v[12 * 8 + j] = t198; /* Psi_v(1,3) Psi_v(2,0) */
+            Psi_v[6 * 8 + j] = Psi_v[15 * 8 + j] = -t198; /* Psi_v(1,0) Psi_v(2,3) */
+            const real t199 = 2.0 * t169[j] * t187;
+            Psi_v[7 * 8 + j] = Psi_v[16 * 8 + j] = t199; /* Psi_v(1,1) Psi_v(2,4) */
+            const real t200 = t169[j] * t196;
+            const real t201 = 0.5 * t169[j] * t191;
+            const real t202 = 2.0 * (t200 + t201);
+            Psi_v[8 * 8 + j] = t202; /* Psi_v(1,2) */
+            Psi_v[10 * 8 + j] = Psi_v[13 * 8 + j] = -t199; /* Psi_v(1,4) Psi_v(2,1) */
+            const real t203 = 2.0 * (t201 - t200);
+            Psi_v[11 * 8 + j] = t203; /* Psi_v(1,5) */
+            Psi_v[14 * 8 + j] = -t202; /* Psi_v(2,2) */
+            Psi_v[17 * 8 + j] = -t203; /* Psi_v(2,5) */
         }
     }
 }
 
-/* stiffness: 219 operations.
- * in:  x (6), sigma (3), tau (0), p (8)
+/* stiffness: 226 operations.
+ * in:  x (6), sigma (3), tau (0), p (9)
  * out: K (6,6) */
 FLEXEL_CLONES
 static void planar_beam_logarithmic_stiffness(size_t nblocks, const real *const *in, real *const *out)
@@ -661,10 +680,10 @@ static void planar_beam_logarithmic_stiffness(size_t nblocks, const real *const 
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict x = in[0] + b * (6 * 8);
         const real *restrict sigma = in[1] + b * (3 * 8);
-        const real *restrict p = in[3] + b * (8 * 8);
+        const real *restrict p = in[3] + b * (9 * 8);
         real *restrict K = out[0] + b * (36 * 8);
-        real mean[8], sin_mean[8], t0[8], d_x[8], cos_mean[8], d_y[8], turn[8], t2[8], t5[8], t7[8], t10[8], t14[8],
-            t48[8], t49[8], t59[8], t60[8];
+        real mean[8], sin_mean[8], d_x[8], cos_mean[8], d_y[8], turn[8], t1[8], t4[8], t6[8], t9[8], t11[8], t15[8],
+            t49[8], t50[8], t60[8], t61[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real rp_angle = x[2 * 8 + j];
@@ -672,9 +691,6 @@ static void planar_beam_logarithmic_stiffness(size_t nblocks, const real *const 
             const real alpha0 = p[1 * 8 + j];
             const real alphaq0 = p[2 * 8 + j];
             mean[j] = 0.5 * (rp_angle + rq_angle + alpha0 + alphaq0);
-            const real l0 = p[0 * 8 + j];
-            const real phi_z = p[5 * 8 + j];
-            t0[j] = l0 * phi_z;
             const real q_x = x[3 * 8 + j];
             const real p_x = x[0 * 8 + j];
             d_x[j] = q_x - p_x;
@@ -682,22 +698,28 @@ static void planar_beam_logarithmic_stiffness(size_t nblocks, const real *const 
             const real p_y = x[1 * 8 + j];
             d_y[j] = q_y - p_y;
             turn[j] = rq_angle + alphaq0 - alpha0 - rp_angle;
-            t2[j] = turn[j] * turn[j];
-            const real t3 = 3.1001984126984127e-06 * t2[j];
-            const real t4 = 0.0005208333333333333 - t3;
-            t5[j] = 0.041666666666666664 - t2[j] * t4;
-            const real t6 = l0 * t2[j];
-            t7[j] = t5[j] * t6;
+            t1[j] = turn[j] * turn[j];
+            const real t2 = 3.1001984126984127e-06 * t1[j];
+            const real t3 = 0.0005208333333333333 - t2;
+            t4[j] = 0.041666666666666664 - t1[j] * t3;
+            const real l0 = p[0 * 8 + j];
+            const real t5 = l0 * t1[j];
+            t6[j] = t4[j] * t5;
+            const real GAy = p[6 * 8 + j];
+            const real EIz = p[5 * 8 + j];
+            const real t8 = 1.0 / GAy * (1.0 / l0 * (1.0 / l0) * EIz);
+            t9[j] = 12.0 * (l0 * t8);
+            const real phi_y = 12.0 * t8;
             const real sigma_elongation = sigma[0 * 8 + j];
-            t10[j] = l0 * (phi_z + 0.6) * sigma_elongation;
+            t11[j] = l0 * (0.6 + phi_y) * sigma_elongation;
             const real sigma_bend1 = sigma[1 * 8 + j];
             const real sigma_bend2 = sigma[2 * 8 + j];
-            t14[j] = l0 * (sigma_bend1 - sigma_bend2) * (1.0 + phi_z);
-            const real t47 = l0 * t5[j];
-            t48[j] = t3 - t4;
-            t49[j] = turn[j] * (t47 + t48[j] * t6);
-            t59[j] = turn[j] * t48[j];
-            t60[j] = t6 * t59[j] + turn[j] * t47;
+            t15[j] = l0 * (sigma_bend1 - sigma_bend2) * (1.0 + phi_y);
+            const real t48 = l0 * t4[j];
+            t49[j] = t2 - t3;
+            t50[j] = turn[j] * (t48 + t49[j] * t5);
+            t60[j] = turn[j] * t49[j];
+            t61[j] = t5 * t60[j] + turn[j] * t48;
         }
         for (size_t j = 0; j < 8; j++) {
             sin_mean[j] = real_sin(mean[j]);
@@ -705,95 +727,95 @@ static void planar_beam_logarithmic_stiffness(size_t nblocks, const real *const 
         }
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
-            const real t1 = d_x[j] * cos_mean[j] + d_y[j] * sin_mean[j];
-            const real straight_x = t1 + t7[j];
+            const real t0 = d_x[j] * cos_mean[j] + d_y[j] * sin_mean[j];
+            const real straight_x = t0 + t6[j];
             const real straight_y = d_y[j] * cos_mean[j] - d_x[j] * sin_mean[j];
-            const real t8 = real_sqrt(straight_x * straight_x + straight_y * straight_y);
-            const real t9 = 1.0 / (t0[j] + t8);
-            const real t11 = t9 * t10[j];
-            const real t12 = 1.0 / t8;
-            const real t13 = t9 * t9;
-            const real bow = straight_y * t9;
-            const real t15 = 2.0 * bow * t10[j] + t14[j];
-            const real t16 = straight_y * t15;
-            const real t17 = t13 * t16;
-            const real t18 = t12 * t17;
-            const real t19 = t13 * t15;
-            const real t20 = straight_y * t12;
-            const real t21 = t20 * t13;
-            const real t22 = t12 * t19 + 2.0 * t21 * t11;
-            const real t23 = 2.0 * t9 * t11 - t18 - straight_y * t22;
-            const real t24 = sin_mean[j] * t23;
-            const real t25 = straight_x * t22;
-            const real t26 = straight_y * t13 * t10[j];
-            const real t27 = 2.0 * (t12 * t13 * t9 * t16 + t21 * t26) + t12 * t12 * t17;
-            const real t28 = straight_x * t27;
-            const real t29 = straight_x * t12;
-            const real t30 = cos_mean[j] * t29 - sin_mean[j] * t20;
-            const real t31 = sin_mean[j] * t25 + t28 * t30 - cos_mean[j] * t18;
-            const real t32 = straight_y * t27 - t19 - 2.0 * t9 * t26;
-            const real t33 = sin_mean[j] * t32;
-            const real t34 = sin_mean[j] * t24 + cos_mean[j] * t31 - t33 * t30;
-            K[0 * 8 + j] = K[21 * 8 + j] = t34; /* K(0,0) K(3,3) */
-            const real t35 = sin_mean[j] * t29 + cos_mean[j] * t20;
-            const real t36 = t28 * t35 - sin_mean[j] * t18 - cos_mean[j] * t25;
-            const real t37 = cos_mean[j] * (t36 - t24) - t33 * t35;
-            K[1 * 8 + j] = K[6 * 8 + j] = K[22 * 8 + j] = K[27 * 8 + j] = t37; /* K(0,1) K(1,0) K(3,4) K(4,3) */
-            const real t38 = t1 * t23;
-            const real t39 = 0.5 * straight_x * t18;
+            const real t7 = real_sqrt(straight_x * straight_x + straight_y * straight_y);
+            const real t10 = 1.0 / (t7 + t9[j]);
+            const real t12 = t10 * t11[j];
+            const real t13 = 1.0 / t7;
+            const real t14 = t10 * t10;
+            const real bow = straight_y * t10;
+            const real t16 = 2.0 * bow * t11[j] + t15[j];
+            const real t17 = straight_y * t16;
+            const real t18 = t14 * t17;
+            const real t19 = t13 * t18;
+            const real t20 = t14 * t16;
+            const real t21 = straight_y * t13;
+            const real t22 = t21 * t14;
+            const real t23 = t13 * t20 + 2.0 * t22 * t12;
+            const real t24 = 2.0 * t10 * t12 - t19 - straight_y * t23;
+            const real t25 = sin_mean[j] * t24;
+            const real t26 = straight_x * t23;
+            const real t27 = straight_y * t14 * t11[j];
+            const real t28 = 2.0 * (t13 * t14 * t10 * t17 + t22 * t27) + t13 * t13 * t18;
+            const real t29 = straight_x * t28;
+            const real t30 = straight_x * t13;
+            const real t31 = cos_mean[j] * t30 - sin_mean[j] * t21;
+            const real t32 = sin_mean[j] * t26 + t29 * t31 - cos_mean[j] * t19;
+            const real t33 = straight_y * t28 - t20 - 2.0 * t10 * t27;
+            const real t34 = sin_mean[j] * t33;
+            const real t35 = sin_mean[j] * t25 + cos_mean[j] * t32 - t34 * t31;
+            K[0 * 8 + j] = K[21 * 8 + j] = t35; /* K(0,0) K(3,3) */
+            const real t36 = sin_mean[j] * t30 + cos_mean[j] * t21;
+            const real t37 = t29 * t36 - sin_mean[j] * t19 - cos_mean[j] * t26;
+            const real t38 = cos_mean[j] * (t37 - t25) - t34 * t36;
+            K[1 * 8 + j] = K[6 * 8 + j] = K[22 * 8 + j] = K[27 * 8 + j] = t38; /* K(0,1) K(1,0) K(3,4) K(4,3) */
+            const real t39 = t0 * t24;
+            const real t40 = 0.5 * straight_x * t19;
             const real sigma_elongation = sigma[0 * 8 + j];
-            const real t40 = sigma_elongation - t39 - t39;
-            const real t41 = t38 - t40;
-            const real t42 = straight_y * t18;
-            const real t43 = t9 * t15 - t42;
-            const real t44 = t1 * t32;
-            const real t45 = sin_mean[j] * t41 + straight_y * t31 - cos_mean[j] * t43 - t44 * t30;
-            const real t46 = 0.5 * t45;
-            const real t50 = 2.0 * t49[j] * t31;
-            const real t51 = t46 - t50;
-            K[15 * 8 + j] = K[20 * 8 + j] = t51; /* K(2,3) K(3,2) */
-            K[2 * 8 + j] = K[12 * 8 + j] = -t51; /* K(0,2) K(2,0) */
-            K[3 * 8 + j] = K[18 * 8 + j] = -t34; /* K(0,3) K(3,0) */
-            K[4 * 8 + j] = K[9 * 8 + j] = K[19 * 8 + j] = K[24 * 8 + j] = -t37; /* K(0,4) K(1,3) K(3,1) K(4,0) */
-            const real t52 = t50 + t46;
-            K[23 * 8 + j] = K[33 * 8 + j] = t52; /* K(3,5) K(5,3) */
-            K[5 * 8 + j] = K[30 * 8 + j] = -t52; /* K(0,5) K(5,0) */
-            const real t53 = cos_mean[j] * (cos_mean[j] * t23 + t32 * t35) + sin_mean[j] * t36;
-            K[7 * 8 + j] = K[28 * 8 + j] = t53; /* K(1,1) K(4,4) */
-            const real t54 = straight_y * t36 - cos_mean[j] * t41 - sin_mean[j] * t43 - t44 * t35;
-            const real t55 = 0.5 * t54;
-            const real t56 = 2.0 * t49[j] * t36;
-            const real t57 = t55 - t56;
-            K[16 * 8 + j] = K[26 * 8 + j] = t57; /* K(2,4) K(4,2) */
-            K[8 * 8 + j] = K[13 * 8 + j] = -t57; /* K(1,2) K(2,1) */
-            K[10 * 8 + j] = K[25 * 8 + j] = -t53; /* K(1,4) K(4,1) */
-            const real t58 = t56 + t55;
-            K[29 * 8 + j] = K[34 * 8 + j] = t58; /* K(4,5) K(5,4) */
-            K[11 * 8 + j] = K[31 * 8 + j] = -t58; /* K(1,5) K(5,1) */
+            const real t41 = sigma_elongation - t40 - t40;
+            const real t42 = t39 - t41;
+            const real t43 = straight_y * t19;
+            const real t44 = t10 * t16 - t43;
+            const real t45 = t0 * t33;
+            const real t46 = sin_mean[j] * t42 + straight_y * t32 - cos_mean[j] * t44 - t45 * t31;
+            const real t47 = 0.5 * t46;
+            const real t51 = 2.0 * t50[j] * t32;
+            const real t52 = t47 - t51;
+            K[15 * 8 + j] = K[20 * 8 + j] = t52; /* K(2,3) K(3,2) */
+            K[2 * 8 + j] = K[12 * 8 + j] = -t52; /* K(0,2) K(2,0) */
+            K[3 * 8 + j] = K[18 * 8 + j] = -t35; /* K(0,3) K(3,0) */
+            K[4 * 8 + j] = K[9 * 8 + j] = K[19 * 8 + j] = K[24 * 8 + j] = -t38; /* K(0,4) K(1,3) K(3,1) K(4,0) */
+            const real t53 = t51 + t47;
+            K[23 * 8 + j] = K[33 * 8 + j] = t53; /* K(3,5) K(5,3) */
+            K[5 * 8 + j] = K[30 * 8 + j] = -t53; /* K(0,5) K(5,0) */
+            const real t54 = cos_mean[j] * (cos_mean[j] * t24 + t33 * t36) + sin_mean[j] * t37;
+            K[7 * 8 + j] = K[28 * 8 + j] = t54; /* K(1,1) K(4,4) */
+            const real t55 = straight_y * t37 - cos_mean[j] * t42 - sin_mean[j] * t44 - t45 * t36;
+            const real t56 = 0.5 * t55;
+            const real t57 = 2.0 * t50[j] * t37;
+            const real t58 = t56 - t57;
+            K[16 * 8 + j] = K[26 * 8 + j] = t58; /* K(2,4) K(4,2) */
+            K[8 * 8 + j] = K[13 * 8 + j] = -t58; /* K(1,2) K(2,1) */
+            K[10 * 8 + j] = K[25 * 8 + j] = -t54; /* K(1,4) K(4,1) */
+            const real t59 = t57 + t56;
+            K[29 * 8 + j] = K[34 * 8 + j] = t59; /* K(4,5) K(5,4) */
+            K[11 * 8 + j] = K[31 * 8 + j] = -t59; /* K(1,5) K(5,1) */
             const real l0 = p[0 * 8 + j];
-            const real t61 = l0 * t40;
-            const real t62 = t2[j] * t61;
-            const real t63 = turn[j] * (1.240079365079365e-05 * t62 + 2.0 * t48[j] * t61);
-            const real t64 = t48[j] * t62 + t5[j] * t61 + turn[j] * (t63 + 2.0 * t59[j] * t61);
-            const real t65 = 2.0 * (2.0 * t60[j] * (t29 * t28 - t18) * t49[j] + t64);
-            const real t66 = straight_y * t29 - t1 * t20;
-            const real t67 = t1 * t25 + t28 * t66 - t42;
-            const real t68 = t1 * t38 + straight_y * t67 - sin_mean[j] * (d_y[j] * t40 - d_x[j] * t43);
-            const real t69 = t68 - cos_mean[j] * (d_y[j] * t43 + d_x[j] * t40) - t44 * t66;
-            const real t70 = 0.5 * t69;
-            const real t71 = t49[j] * t67;
-            const real t72 = 2.0 * t71;
-            K[14 * 8 + j] = t65 + 0.5 * (t70 - t72) - t71; /* K(2,2) */
-            const real t73 = 0.5 * (t72 + t70);
-            const real t74 = t65 + t71;
-            K[17 * 8 + j] = K[32 * 8 + j] = t73 - t74; /* K(2,5) K(5,2) */
-            K[35 * 8 + j] = t74 + t73; /* K(5,5) */
+            const real t62 = l0 * t41;
+            const real t63 = t1[j] * t62;
+            const real t64 = turn[j] * (1.240079365079365e-05 * t63 + 2.0 * t49[j] * t62);
+            const real t65 = t49[j] * t63 + t4[j] * t62 + turn[j] * (t64 + 2.0 * t60[j] * t62);
+            const real t66 = 2.0 * (2.0 * t61[j] * (t30 * t29 - t19) * t50[j] + t65);
+            const real t67 = straight_y * t30 - t0 * t21;
+            const real t68 = t0 * t26 + t29 * t67 - t43;
+            const real t69 = t0 * t39 + straight_y * t68 - sin_mean[j] * (d_y[j] * t41 - d_x[j] * t44);
+            const real t70 = t69 - cos_mean[j] * (d_y[j] * t44 + d_x[j] * t41) - t45 * t67;
+            const real t71 = 0.5 * t70;
+            const real t72 = t50[j] * t68;
+            const real t73 = 2.0 * t72;
+            K[14 * 8 + j] = t66 + 0.5 * (t71 - t73) - t72; /* K(2,2) */
+            const real t74 = 0.5 * (t73 + t71);
+            const real t75 = t66 + t72;
+            K[17 * 8 + j] = K[32 * 8 + j] = t74 - t75; /* K(2,5) K(5,2) */
+            K[35 * 8 + j] = t75 + t74; /* K(5,5) */
         }
     }
 }
 
-/* inertia: 313 operations.
- * in:  x (6), v (6), p (8)
+/* inertia: 321 operations.
+ * in:  x (6), v (6), p (9)
  * out: M (6,6), h (6), f (6), U (1) */
 FLEXEL_CLONES
 static void planar_beam_logarithmic_inertia(size_t nblocks, const real *const *in, real *const *out)
@@ -801,15 +823,15 @@ static void planar_beam_logarithmic_inertia(size_t nblocks, const real *const *i
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict x = in[0] + b * (6 * 8);
         const real *restrict v = in[1] + b * (6 * 8);
-        const real *restrict p = in[2] + b * (8 * 8);
+        const real *restrict p = in[2] + b * (9 * 8);
         real *restrict M = out[0] + b * (36 * 8);
         real *restrict h = out[1] + b * (6 * 8);
         real *restrict f = out[2] + b * (6 * 8);
         real *restrict U = out[3] + b * (1 * 8);
-        real t0[8], t1[8], t2[8], sin_p[8], t3[8], sin_q[8], d_x[8], d_y[8], t5[8], t6[8], t7[8], t8[8], cos_p[8],
-            cos_q[8], t14[8], t15[8], t17[8], t19[8], t25[8], t28[8], t30[8], t39[8], t40[8], t43[8], t46[8], t58[8],
-            t61[8], t65[8], t67[8], t68[8], t69[8], t72[8], t73[8], t78[8], t80[8], t81[8], t86[8], t88[8], t89[8],
-            t90[8], t95[8], t99[8], t100[8], t101[8], t103[8];
+        real t0[8], t1[8], t2[8], sin_p[8], t3[8], sin_q[8], d_x[8], d_y[8], t5[8], t6[8], t9[8], t10[8], cos_p[8],
+            cos_q[8], t16[8], t17[8], t19[8], t21[8], t27[8], t30[8], t32[8], t41[8], t42[8], t45[8], t48[8], t60[8],
+            t63[8], t67[8], t69[8], t70[8], t71[8], t74[8], t75[8], t80[8], t82[8], t83[8], t88[8], t90[8], t91[8],
+            t92[8], t97[8], t101[8], t102[8], t103[8], t105[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real l0 = p[0 * 8 + j];
@@ -831,55 +853,59 @@ static void planar_beam_logarithmic_inertia(size_t nblocks, const real *const *i
             const real l = real_sqrt(d_x[j] * d_x[j] + d_y[j] * d_y[j]);
             t5[j] = 1.0 / l;
             t6[j] = t5[j] * t5[j];
-            const real phi_z = p[5 * 8 + j];
+            const real t7 = 1.0 / l0;
+            const real GAy = p[6 * 8 + j];
+            const real EIz = p[5 * 8 + j];
+            const real t8 = 1.0 / GAy * EIz * t7 * t7;
+            const real phi_y = 12.0 * t8;
             const real rhoJ = p[4 * 8 + j];
-            t7[j] = 1.0 / (1.0 + phi_z) * (1.0 / (1.0 + phi_z)) * l0 * rhoJ;
-            t8[j] = t6[j] * t7[j];
-            t14[j] = (phi_z - 0.2) * t7[j];
-            t15[j] = t5[j] * t14[j];
-            t17[j] = l0 * t0[j];
-            t19[j] = 0.12857142857142856 * t0[j];
-            t25[j] = l0 * l0 * t0[j];
-            const real t27 = phi_z * (0.16666666666666666 + 0.3333333333333333 * phi_z);
-            t28[j] = 0.5 * (0.13333333333333333 + t27) * t7[j];
-            const real t29 = 0.3333333333333333 * (phi_z * (phi_z - 1.0)) - 0.06666666666666667;
-            t30[j] = 0.5 * t29 * t7[j];
+            t9[j] = 1.0 / (1.0 + phi_y) * (1.0 / (1.0 + phi_y)) * l0 * rhoJ;
+            t10[j] = t6[j] * t9[j];
+            t16[j] = (phi_y - 0.2) * t9[j];
+            t17[j] = t5[j] * t16[j];
+            t19[j] = l0 * t0[j];
+            t21[j] = 0.12857142857142856 * t0[j];
+            t27[j] = l0 * l0 * t0[j];
+            const real t29 = 0.13333333333333333 + 12.0 * (t8 * (0.16666666666666666 + 4.0 * t8));
+            t30[j] = 0.5 * t29 * t9[j];
+            const real t31 = 24.0 * (t8 * (2.0 * t8 - 0.16666666666666666)) - 0.06666666666666667;
+            t32[j] = 0.5 * t31 * t9[j];
             const real q_vy = v[4 * 8 + j];
             const real p_vy = v[1 * 8 + j];
-            t39[j] = q_vy - p_vy;
+            t41[j] = q_vy - p_vy;
             const real q_vx = v[3 * 8 + j];
             const real p_vx = v[0 * 8 + j];
-            t40[j] = q_vx - p_vx;
+            t42[j] = q_vx - p_vx;
             const real rp_vangle = v[2 * 8 + j];
             const real rq_vangle = v[5 * 8 + j];
-            t43[j] = 0.25 * (rp_vangle + rq_vangle) * t14[j];
-            t46[j] = t5[j] * (d_x[j] * t40[j] + d_y[j] * t39[j]) * t6[j];
-            t58[j] = rq_vangle * t17[j];
-            t61[j] = rp_vangle * t17[j];
-            t65[j] = rp_vangle * t25[j];
-            t67[j] = rp_vangle * rp_vangle * t25[j];
-            t68[j] = 0.030952380952380953 * q_vy + 0.05238095238095238 * p_vy;
-            t69[j] = t61[j] * t68[j];
-            t72[j] = rq_vangle * t25[j];
-            t73[j] = rp_vangle * t72[j];
-            t78[j] = 0.030952380952380953 * q_vx + 0.05238095238095238 * p_vx;
-            t80[j] = t61[j] * t78[j];
-            t81[j] = rp_vangle * rq_vangle;
-            t86[j] = 0.05238095238095238 * q_vy + 0.030952380952380953 * p_vy;
-            t88[j] = 0.05238095238095238 * q_vx + 0.030952380952380953 * p_vx;
-            t89[j] = rq_vangle * rq_vangle * t25[j];
-            t90[j] = t58[j] * t86[j];
-            t95[j] = t58[j] * t88[j];
-            const real gravity_x = p[6 * 8 + j];
-            const real t97 = gravity_x * t0[j];
-            f[0 * 8 + j] = f[3 * 8 + j] = 0.5 * t97;
-            const real gravity_y = p[7 * 8 + j];
-            const real t98 = gravity_y * t0[j];
-            f[1 * 8 + j] = f[4 * 8 + j] = 0.5 * t98;
-            t99[j] = l0 * t98;
-            t100[j] = l0 * t97;
-            t101[j] = 0.5 * (p_x + q_x);
-            t103[j] = 0.5 * (p_y + q_y);
+            t45[j] = 0.25 * (rp_vangle + rq_vangle) * t16[j];
+            t48[j] = t5[j] * (d_x[j] * t42[j] + d_y[j] * t41[j]) * t6[j];
+            t60[j] = rq_vangle * t19[j];
+            t63[j] = rp_vangle * t19[j];
+            t67[j] = rp_vangle * t27[j];
+            t69[j] = rp_vangle * rp_vangle * t27[j];
+            t70[j] = 0.030952380952380953 * q_vy + 0.05238095238095238 * p_vy;
+            t71[j] = t63[j] * t70[j];
+            t74[j] = rq_vangle * t27[j];
+            t75[j] = rp_vangle * t74[j];
+            t80[j] = 0.030952380952380953 * q_vx + 0.05238095238095238 * p_vx;
+            t82[j] = t63[j] * t80[j];
+            t83[j] = rp_vangle * rq_vangle;
+            t88[j] = 0.05238095238095238 * q_vy + 0.030952380952380953 * p_vy;
+            t90[j] = 0.05238095238095238 * q_vx + 0.030952380952380953 * p_vx;
+            t91[j] = rq_vangle * rq_vangle * t27[j];
+            t92[j] = t60[j] * t88[j];
+            t97[j] = t60[j] * t90[j];
+            const real gravity_x = p[7 * 8 + j];
+            const real t99 = gravity_x * t0[j];
+            f[0 * 8 + j] = f[3 * 8 + j] = 0.5 * t99;
+            const real gravity_y = p[8 * 8 + j];
+            const real t100 = gravity_y * t0[j];
+            f[1 * 8 + j] = f[4 * 8 + j] = 0.5 * t100;
+            t101[j] = l0 * t100;
+            t102[j] = l0 * t99;
+            t103[j] = 0.5 * (p_x + q_x);
+            t105[j] = 0.5 * (p_y + q_y);
         }
         for (size_t j = 0; j < 8; j++) {
             sin_p[j] = real_sin(t2[j]);
@@ -890,107 +916,107 @@ static void planar_beam_logarithmic_inertia(size_t nblocks, const real *const *i
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real t4 = sin_p[j] + sin_q[j];
-            const real t9 = t4 * t8[j];
-            const real t10 = 0.3 * (t4 * t9);
-            M[0 * 8 + j] = M[21 * 8 + j] = t1[j] + t10; /* M(0,0) M(3,3) */
-            const real t11 = cos_p[j] + cos_q[j];
-            const real t12 = t11 * t8[j];
-            const real t13 = 0.3 * (t4 * t12);
-            M[4 * 8 + j] = M[24 * 8 + j] = t13; /* M(0,4) M(4,0) */
-            M[1 * 8 + j] = M[6 * 8 + j] = M[22 * 8 + j] = M[27 * 8 + j] = -t13; /* M(0,1) M(1,0) M(3,4) M(4,3) */
-            const real t16 = 0.25 * t4 * t15[j];
-            const real t18 = sin_p[j] * t17[j];
-            M[2 * 8 + j] = M[12 * 8 + j] = t16 - 0.05238095238095238 * t18; /* M(0,2) M(2,0) */
-            M[3 * 8 + j] = M[18 * 8 + j] = t19[j] - t10; /* M(0,3) M(3,0) */
-            const real t20 = sin_q[j] * t17[j];
-            M[5 * 8 + j] = M[30 * 8 + j] = 0.030952380952380953 * t20 + t16; /* M(0,5) M(5,0) */
-            const real t21 = 0.3 * (t11 * t12);
-            M[7 * 8 + j] = M[28 * 8 + j] = t1[j] + t21; /* M(1,1) M(4,4) */
-            const real t22 = cos_p[j] * t17[j];
-            const real t23 = 0.25 * t11 * t15[j];
-            M[8 * 8 + j] = M[13 * 8 + j] = 0.05238095238095238 * t22 - t23; /* M(1,2) M(2,1) */
-            M[9 * 8 + j] = M[19 * 8 + j] = 0.3 * (t11 * t9); /* M(1,3) M(3,1) */
-            M[10 * 8 + j] = M[25 * 8 + j] = t19[j] - t21; /* M(1,4) M(4,1) */
-            const real t24 = cos_q[j] * t17[j];
-            M[11 * 8 + j] = M[31 * 8 + j] = -(0.030952380952380953 * t24 + t23); /* M(1,5) M(5,1) */
-            const real t26 = 0.004761904761904762 * (t25[j] * (cos_p[j] * cos_p[j] + sin_p[j] * sin_p[j]));
-            M[14 * 8 + j] = 2.0 * (t26 + t28[j]); /* M(2,2) */
-            M[15 * 8 + j] = M[20 * 8 + j] = -(0.030952380952380953 * t18 + t16); /* M(2,3) M(3,2) */
-            M[16 * 8 + j] = M[26 * 8 + j] = 0.030952380952380953 * t22 + t23; /* M(2,4) M(4,2) */
-            const real t31 = sin_q[j] * t25[j];
-            const real t32 = 0.007142857142857143 * (sin_p[j] * t31 + cos_p[j] * cos_q[j] * t25[j]);
-            M[17 * 8 + j] = M[32 * 8 + j] = t30[j] - t32; /* M(2,5) M(5,2) */
-            M[23 * 8 + j] = M[33 * 8 + j] = 0.05238095238095238 * t20 - t16; /* M(3,5) M(5,3) */
-            M[29 * 8 + j] = M[34 * 8 + j] = t23 - 0.05238095238095238 * t24; /* M(4,5) M(5,4) */
-            const real t33 = 0.004761904761904762 * (t25[j] * (cos_q[j] * cos_q[j] + sin_q[j] * sin_q[j]));
-            M[35 * 8 + j] = 2.0 * (t33 + t28[j]); /* M(5,5) */
+            const real t11 = t4 * t10[j];
+            const real t12 = 0.3 * (t4 * t11);
+            M[0 * 8 + j] = M[21 * 8 + j] = t1[j] + t12; /* M(0,0) M(3,3) */
+            const real t13 = cos_p[j] + cos_q[j];
+            const real t14 = t13 * t10[j];
+            const real t15 = 0.3 * (t4 * t14);
+            M[4 * 8 + j] = M[24 * 8 + j] = t15; /* M(0,4) M(4,0) */
+            M[1 * 8 + j] = M[6 * 8 + j] = M[22 * 8 + j] = M[27 * 8 + j] = -t15; /* M(0,1) M(1,0) M(3,4) M(4,3) */
+            const real t18 = 0.25 * t4 * t17[j];
+            const real t20 = sin_p[j] * t19[j];
+            M[2 * 8 + j] = M[12 * 8 + j] = t18 - 0.05238095238095238 * t20; /* M(0,2) M(2,0) */
+            M[3 * 8 + j] = M[18 * 8 + j] = t21[j] - t12; /* M(0,3) M(3,0) */
+            const real t22 = sin_q[j] * t19[j];
+            M[5 * 8 + j] = M[30 * 8 + j] = 0.030952380952380953 * t22 + t18; /* M(0,5) M(5,0) */
+            const real t23 = 0.3 * (t13 * t14);
+            M[7 * 8 + j] = M[28 * 8 + j] = t1[j] + t23; /* M(1,1) M(4,4) */
+            const real t24 = cos_p[j] * t19[j];
+            const real t25 = 0.25 * t13 * t17[j];
+            M[8 * 8 + j] = M[13 * 8 + j] = 0.05238095238095238 * t24 - t25; /* M(1,2) M(2,1) */
+            M[9 * 8 + j] = M[19 * 8 + j] = 0.3 * (t13 * t11); /* M(1,3) M(3,1) */
+            M[10 * 8 + j] = M[25 * 8 + j] = t21[j] - t23; /* M(1,4) M(4,1) */
+            const real t26 = cos_q[j] * t19[j];
+            M[11 * 8 + j] = M[31 * 8 + j] = -(0.030952380952380953 * t26 + t25); /* M(1,5) M(5,1) */
+            const real t28 = 0.004761904761904762 * (t27[j] * (cos_p[j] * cos_p[j] + sin_p[j] * sin_p[j]));
+            M[14 * 8 + j] = 2.0 * (t28 + t30[j]); /* M(2,2) */
+            M[15 * 8 + j] = M[20 * 8 + j] = -(0.030952380952380953 * t20 + t18); /* M(2,3) M(3,2) */
+            M[16 * 8 + j] = M[26 * 8 + j] = 0.030952380952380953 * t24 + t25; /* M(2,4) M(4,2) */
+            const real t33 = sin_q[j] * t27[j];
+            const real t34 = 0.007142857142857143 * (sin_p[j] * t33 + cos_p[j] * cos_q[j] * t27[j]);
+            M[17 * 8 + j] = M[32 * 8 + j] = t32[j] - t34; /* M(2,5) M(5,2) */
+            M[23 * 8 + j] = M[33 * 8 + j] = 0.05238095238095238 * t22 - t18; /* M(3,5) M(5,3) */
+            M[29 * 8 + j] = M[34 * 8 + j] = t25 - 0.05238095238095238 * t26; /* M(4,5) M(5,4) */
+            const real t35 = 0.004761904761904762 * (t27[j] * (cos_q[j] * cos_q[j] + sin_q[j] * sin_q[j]));
+            M[35 * 8 + j] = 2.0 * (t35 + t30[j]); /* M(5,5) */
             const real rq_vangle = v[5 * 8 + j];
-            const real t34 = rq_vangle * cos_q[j];
-            const real t35 = t17[j] * t34;
-            const real t36 = rq_vangle * t35;
+            const real t36 = rq_vangle * cos_q[j];
+            const real t37 = t19[j] * t36;
+            const real t38 = rq_vangle * t37;
             const real rp_vangle = v[2 * 8 + j];
-            const real t37 = rp_vangle * cos_p[j];
-            const real t38 = t37 + t34;
-            const real t41 = t11 * t39[j] - t40[j] * t4;
-            const real t42 = t5[j] * t41;
-            const real t44 = 0.3 * (t42 * t7[j]) + t43[j];
-            const real t45 = t5[j] * t44;
-            const real t47 = rp_vangle * sin_p[j];
-            const real t48 = rq_vangle * sin_q[j];
-            const real t49 = t47 + t48;
-            const real t50 = t5[j] * (t39[j] * t49 + t40[j] * t38) + t41 * t46[j];
-            const real t51 = t44 * t46[j] + 0.3 * (t5[j] * t50 * t7[j]);
-            const real t52 = t38 * t45 - t4 * t51;
-            const real t53 = t17[j] * t37;
-            const real t54 = rp_vangle * t53;
-            const real t55 = 0.030952380952380953 * t36 + t52 - 0.05238095238095238 * t54;
-            const real t56 = t42 * t6[j] * t44;
-            const real t57 = d_x[j] * t56;
-            h[0 * 8 + j] = t55 - t57;
-            const real t59 = t58[j] * t48;
-            const real t60 = t49 * t45 + t11 * t51;
-            const real t62 = t61[j] * t47;
-            const real t63 = 0.030952380952380953 * t59 + t60 - 0.05238095238095238 * t62;
-            const real t64 = d_y[j] * t56;
-            h[1 * 8 + j] = t63 - t64;
-            const real t66 = 0.01904761904761905 * ((sin_p[j] * t37 - cos_p[j] * t47) * t65[j]);
-            const real t70 = t39[j] * t45;
-            const real t71 = t69[j] + t70 + 0.009523809523809525 * (cos_p[j] * t67[j]);
-            const real t74 = sin_p[j] * (t71 - 0.007142857142857143 * (cos_q[j] * t73[j]));
-            const real t75 = cos_q[j] * t47 + cos_p[j] * t48;
-            const real t76 = t31 * t37 + sin_p[j] * t34 * t25[j];
-            const real t77 = t74 + 0.007142857142857143 * (t72[j] * t75 - rq_vangle * t76);
-            const real t79 = 0.25 * t14[j] * t50;
-            const real t82 = 0.009523809523809525 * (sin_p[j] * t67[j]) - t80[j] - 0.007142857142857143 * (t81[j]
-                * t31);
-            const real t83 = t40[j] * t45;
-            h[2 * 8 + j] = t66 + t77 - t17[j] * t47 * t68[j] - t53 * t78[j] - t79 - cos_p[j] * (t82 - t83);
-            const real t84 = 0.05238095238095238 * t36 + t57 - 0.030952380952380953 * t54;
-            h[3 * 8 + j] = t84 - t52;
-            const real t85 = 0.05238095238095238 * t59 + t64 - 0.030952380952380953 * t62;
-            h[4 * 8 + j] = t85 - t60;
-            const real t87 = 0.007142857142857143 * (rp_vangle * (t25[j] * t75 - t76));
-            const real t91 = 0.009523809523809525 * (cos_q[j] * t89[j]) + t70 - t90[j];
-            const real t92 = sin_q[j] * (t91 - 0.007142857142857143 * (cos_p[j] * t73[j]));
-            const real t93 = 0.01904761904761905 * (t72[j] * (sin_q[j] * t34 - cos_q[j] * t48));
-            const real t94 = t92 + t93 + t35 * t88[j] + t87 + t17[j] * t48 * t86[j] - t79;
-            const real t96 = 0.009523809523809525 * (sin_q[j] * t89[j]) + t95[j] - 0.007142857142857143 * (sin_p[j]
-                * t81[j] * t25[j]);
-            h[5 * 8 + j] = t94 - cos_q[j] * (t96 - t83);
-            f[2 * 8 + j] = 0.08333333333333333 * (cos_p[j] * t99[j] - sin_p[j] * t100[j]);
-            f[5 * 8 + j] = 0.08333333333333333 * (sin_q[j] * t100[j] - cos_q[j] * t99[j]);
+            const real t39 = rp_vangle * cos_p[j];
+            const real t40 = t39 + t36;
+            const real t43 = t13 * t41[j] - t42[j] * t4;
+            const real t44 = t5[j] * t43;
+            const real t46 = 0.3 * (t44 * t9[j]) + t45[j];
+            const real t47 = t5[j] * t46;
+            const real t49 = rp_vangle * sin_p[j];
+            const real t50 = rq_vangle * sin_q[j];
+            const real t51 = t49 + t50;
+            const real t52 = t5[j] * (t41[j] * t51 + t42[j] * t40) + t43 * t48[j];
+            const real t53 = t46 * t48[j] + 0.3 * (t5[j] * t52 * t9[j]);
+            const real t54 = t40 * t47 - t4 * t53;
+            const real t55 = t19[j] * t39;
+            const real t56 = rp_vangle * t55;
+            const real t57 = 0.030952380952380953 * t38 + t54 - 0.05238095238095238 * t56;
+            const real t58 = t44 * t6[j] * t46;
+            const real t59 = d_x[j] * t58;
+            h[0 * 8 + j] = t57 - t59;
+            const real t61 = t60[j] * t50;
+            const real t62 = t51 * t47 + t13 * t53;
+            const real t64 = t63[j] * t49;
+            const real t65 = 0.030952380952380953 * t61 + t62 - 0.05238095238095238 * t64;
+            const real t66 = d_y[j] * t58;
+            h[1 * 8 + j] = t65 - t66;
+            const real t68 = 0.01904761904761905 * ((sin_p[j] * t39 - cos_p[j] * t49) * t67[j]);
+            const real t72 = t41[j] * t47;
+            const real t73 = t71[j] + t72 + 0.009523809523809525 * (cos_p[j] * t69[j]);
+            const real t76 = sin_p[j] * (t73 - 0.007142857142857143 * (cos_q[j] * t75[j]));
+            const real t77 = cos_q[j] * t49 + cos_p[j] * t50;
+            const real t78 = t33 * t39 + sin_p[j] * t36 * t27[j];
+            const real t79 = t76 + 0.007142857142857143 * (t74[j] * t77 - rq_vangle * t78);
+            const real t81 = 0.25 * t16[j] * t52;
+            const real t84 = 0.009523809523809525 * (sin_p[j] * t69[j]) - t82[j] - 0.007142857142857143 * (t83[j]
+                * t33);
+            const real t85 = t42[j] * t47;
+            h[2 * 8 + j] = t68 + t79 - t19[j] * t49 * t70[j] - t55 * t80[j] - t81 - cos_p[j] * (t84 - t85);
+            const real t86 = 0.05238095238095238 * t38 + t59 - 0.030952380952380953 * t56;
+            h[3 * 8 + j] = t86 - t54;
+            const real t87 = 0.05238095238095238 * t61 + t66 - 0.030952380952380953 * t64;
+            h[4 * 8 + j] = t87 - t62;
+            const real t89 = 0.007142857142857143 * (rp_vangle * (t27[j] * t77 - t78));
+            const real t93 = 0.009523809523809525 * (cos_q[j] * t91[j]) + t72 - t92[j];
+            const real t94 = sin_q[j] * (t93 - 0.007142857142857143 * (cos_p[j] * t75[j]));
+            const real t95 = 0.01904761904761905 * (t74[j] * (sin_q[j] * t36 - cos_q[j] * t50));
+            const real t96 = t94 + t95 + t37 * t90[j] + t89 + t19[j] * t50 * t88[j] - t81;
+            const real t98 = 0.009523809523809525 * (sin_q[j] * t91[j]) + t97[j] - 0.007142857142857143 * (sin_p[j]
+                * t83[j] * t27[j]);
+            h[5 * 8 + j] = t96 - cos_q[j] * (t98 - t85);
+            f[2 * 8 + j] = 0.08333333333333333 * (cos_p[j] * t101[j] - sin_p[j] * t102[j]);
+            f[5 * 8 + j] = 0.08333333333333333 * (sin_q[j] * t102[j] - cos_q[j] * t101[j]);
             const real l0 = p[0 * 8 + j];
-            const real t102 = t101[j] + 0.08333333333333333 * (l0 * (cos_p[j] - cos_q[j]));
-            const real gravity_x = p[6 * 8 + j];
-            const real t104 = t103[j] + 0.08333333333333333 * (l0 * (sin_p[j] - sin_q[j]));
-            const real gravity_y = p[7 * 8 + j];
-            U[0 * 8 + j] = -((gravity_x * t102 + gravity_y * t104) * t0[j]);
+            const real t104 = t103[j] + 0.08333333333333333 * (l0 * (cos_p[j] - cos_q[j]));
+            const real gravity_x = p[7 * 8 + j];
+            const real t106 = t105[j] + 0.08333333333333333 * (l0 * (sin_p[j] - sin_q[j]));
+            const real gravity_y = p[8 * 8 + j];
+            U[0 * 8 + j] = -((gravity_x * t104 + gravity_y * t106) * t0[j]);
         }
     }
 }
 
-/* tangent: 746 operations.
- * in:  x (6), v (6), a (6), p (8)
+/* tangent: 752 operations.
+ * in:  x (6), v (6), a (6), p (9)
  * out: R_x (6,6), R_v (6,6) */
 FLEXEL_CLONES
 static void planar_beam_logarithmic_tangent(size_t nblocks, const real *const *in, real *const *out)
@@ -999,7 +1025,7 @@ static void planar_beam_logarithmic_tangent(size_t nblocks, const real *const *i
         const real *restrict x = in[0] + b * (6 * 8);
         const real *restrict v = in[1] + b * (6 * 8);
         const real *restrict a = in[2] + b * (6 * 8);
-        const real *restrict p = in[3] + b * (8 * 8);
+        const real *restrict p = in[3] + b * (9 * 8);
         real *restrict R_x = out[0] + b * (36 * 8);
         real *restrict R_v = out[1] + b * (36 * 8);
         real d_x[8], d_y[8], t0[8], t1[8], t2[8], cos_p[8], t3[8], cos_q[8], t5[8], t6[8], sin_p[8], sin_q[8], t10[8],
@@ -1033,12 +1059,14 @@ static void planar_beam_logarithmic_tangent(size_t nblocks, const real *const *i
             t6[j] = q_vx - p_vx;
             const real rp_vangle = v[2 * 8 + j];
             const real rq_vangle = v[5 * 8 + j];
-            const real phi_z = p[5 * 8 + j];
-            const real t9 = 1.0 / (1.0 + phi_z);
+            const real GAy = p[6 * 8 + j];
             const real l0 = p[0 * 8 + j];
+            const real EIz = p[5 * 8 + j];
+            const real phi_y = 12.0 * (1.0 / GAy * (1.0 / l0 * (1.0 / l0) * EIz));
+            const real t9 = 1.0 / (1.0 + phi_y);
             const real rhoJ = p[4 * 8 + j];
             t10[j] = l0 * rhoJ * t9 * t9;
-            t11[j] = (phi_z - 0.2) * t10[j];
+            t11[j] = (phi_y - 0.2) * t10[j];
             t12[j] = 0.25 * (rp_vangle + rq_vangle) * t11[j];
             t17[j] = t0[j] * t1[j];
             t18[j] = t6[j] * t17[j];
@@ -1080,7 +1108,7 @@ static void planar_beam_logarithmic_tangent(size_t nblocks, const real *const *i
             t85[j] = 0.030952380952380953 * t84;
             t101[j] = l0 * l0 * t67;
             const real t105 = 0.030952380952380953 * q_vy + 0.05238095238095238 * p_vy;
-            const real gravity_x = p[6 * 8 + j];
+            const real gravity_x = p[7 * 8 + j];
             t106[j] = 0.08333333333333333 * (gravity_x * t68[j]);
             t107[j] = t72 * t105 + t106[j];
             t108[j] = rq_vangle * t101[j];
@@ -1095,7 +1123,7 @@ static void planar_beam_logarithmic_tangent(size_t nblocks, const real *const *i
             t130[j] = 0.030952380952380953 * t129;
             t131[j] = rp_vangle * rq_vangle;
             t132[j] = rq_aangle * t101[j];
-            const real gravity_y = p[7 * 8 + j];
+            const real gravity_y = p[8 * 8 + j];
             t138[j] = 0.08333333333333333 * (gravity_y * t68[j]);
             t142[j] = t131[j] * t101[j];
             t148[j] = 0.030952380952380953 * t72;
@@ -1383,13 +1411,195 @@ static void planar_beam_logarithmic_tangent(size_t nblocks, const real *const *i
     }
 }
 
+/* outputs: 347 operations.
+ * in:  x (6), sigma (3), tau (0), p (9)
+ * out: force_p (2), moment_p (1), force_q (2), moment_q (1), axis (17,2), across (2,2) */
+FLEXEL_CLONES
+static void planar_beam_logarithmic_outputs(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (6 * 8);
+        const real *restrict sigma = in[1] + b * (3 * 8);
+        const real *restrict p = in[3] + b * (9 * 8);
+        real *restrict force_p = out[0] + b * (2 * 8);
+        real *restrict moment_p = out[1] + b * (1 * 8);
+        real *restrict force_q = out[2] + b * (2 * 8);
+        real *restrict moment_q = out[3] + b * (1 * 8);
+        real *restrict axis = out[4] + b * (34 * 8);
+        real *restrict across = out[5] + b * (4 * 8);
+        real t0[8], cos_p[8], mean[8], cos_mean[8], d_x[8], sin_mean[8], d_y[8], t1[8], turn[8], t6[8], t10[8],
+            t12[8], t15[8], sin_p[8], t23[8], t24[8], cos_q[8], sin_q[8], t26[8], t28[8], t30[8], t31[8], t32[8],
+            t34[8], t36[8], t37[8], t38[8], t40[8], t42[8], t43[8], t44[8], t46[8], t48[8], t49[8], t50[8], t52[8],
+            t54[8], t55[8], t56[8], t58[8], t60[8], t61[8], t62[8], t64[8], t66[8], t67[8], t68[8], t70[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real rp_angle = x[2 * 8 + j];
+            const real alpha0 = p[1 * 8 + j];
+            t0[j] = rp_angle + alpha0;
+            const real alphaq0 = p[2 * 8 + j];
+            const real rq_angle = x[5 * 8 + j];
+            mean[j] = 0.5 * (alpha0 + alphaq0 + rp_angle + rq_angle);
+            const real q_x = x[3 * 8 + j];
+            axis[32 * 8 + j] = q_x; /* axis(16,0) */
+            const real p_x = x[0 * 8 + j];
+            axis[0 * 8 + j] = p_x; /* axis(0,0) */
+            d_x[j] = q_x - p_x;
+            const real q_y = x[4 * 8 + j];
+            axis[33 * 8 + j] = q_y; /* axis(16,1) */
+            const real p_y = x[1 * 8 + j];
+            axis[1 * 8 + j] = p_y; /* axis(0,1) */
+            d_y[j] = q_y - p_y;
+            t1[j] = rq_angle + alphaq0;
+            turn[j] = t1[j] - alpha0 - rp_angle;
+            const real t2 = turn[j] * turn[j];
+            const real t3 = 3.1001984126984127e-06 * t2;
+            const real t4 = 0.0005208333333333333 - t3;
+            const real t5 = 0.041666666666666664 - t2 * t4;
+            const real l0 = p[0 * 8 + j];
+            t6[j] = l0 * t5 * t2;
+            const real t8 = 1.0 / l0;
+            const real GAy = p[6 * 8 + j];
+            const real EIz = p[5 * 8 + j];
+            const real t9 = 1.0 / GAy * EIz * t8 * t8;
+            t10[j] = 12.0 * (l0 * t9);
+            const real phi_y = 12.0 * t9;
+            const real sigma_elongation = sigma[0 * 8 + j];
+            t12[j] = sigma_elongation * (0.6 + phi_y) * l0;
+            const real sigma_bend1 = sigma[1 * 8 + j];
+            const real t13 = l0 * sigma_bend1;
+            const real sigma_bend2 = sigma[2 * 8 + j];
+            const real t14 = l0 * sigma_bend2;
+            t15[j] = (1.0 + phi_y) * (t13 - t14);
+            t23[j] = 0.5 * (t14 + t13);
+            t24[j] = t5 + t2 * (t3 - t4);
+            t26[j] = 0.98876953125 * p_x + 0.01123046875 * q_x;
+            t28[j] = 0.98876953125 * p_y + 0.01123046875 * q_y;
+            t30[j] = 0.95703125 * p_x + 0.04296875 * q_x;
+            t31[j] = 0.95703125 * p_y + 0.04296875 * q_y;
+            t32[j] = 0.90771484375 * p_x + 0.09228515625 * q_x;
+            t34[j] = 0.90771484375 * p_y + 0.09228515625 * q_y;
+            t36[j] = 0.84375 * p_x + 0.15625 * q_x;
+            t37[j] = 0.84375 * p_y + 0.15625 * q_y;
+            t38[j] = 0.76806640625 * p_x + 0.23193359375 * q_x;
+            t40[j] = 0.76806640625 * p_y + 0.23193359375 * q_y;
+            t42[j] = 0.68359375 * p_x + 0.31640625 * q_x;
+            t43[j] = 0.68359375 * p_y + 0.31640625 * q_y;
+            t44[j] = 0.59326171875 * p_x + 0.40673828125 * q_x;
+            t46[j] = 0.59326171875 * p_y + 0.40673828125 * q_y;
+            t48[j] = 0.5 * (p_x + q_x);
+            t49[j] = 0.5 * (p_y + q_y);
+            t50[j] = 0.40673828125 * p_x + 0.59326171875 * q_x;
+            t52[j] = 0.40673828125 * p_y + 0.59326171875 * q_y;
+            t54[j] = 0.31640625 * p_x + 0.68359375 * q_x;
+            t55[j] = 0.31640625 * p_y + 0.68359375 * q_y;
+            t56[j] = 0.23193359375 * p_x + 0.76806640625 * q_x;
+            t58[j] = 0.23193359375 * p_y + 0.76806640625 * q_y;
+            t60[j] = 0.15625 * p_x + 0.84375 * q_x;
+            t61[j] = 0.15625 * p_y + 0.84375 * q_y;
+            t62[j] = 0.09228515625 * p_x + 0.90771484375 * q_x;
+            t64[j] = 0.09228515625 * p_y + 0.90771484375 * q_y;
+            t66[j] = 0.04296875 * p_x + 0.95703125 * q_x;
+            t67[j] = 0.04296875 * p_y + 0.95703125 * q_y;
+            t68[j] = 0.01123046875 * p_x + 0.98876953125 * q_x;
+            t70[j] = 0.01123046875 * p_y + 0.98876953125 * q_y;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            cos_p[j] = real_cos(t0[j]);
+            across[1 * 8 + j] = cos_p[j]; /* across(0,1) */
+            cos_mean[j] = real_cos(mean[j]);
+            sin_mean[j] = real_sin(mean[j]);
+            sin_p[j] = real_sin(t0[j]);
+            cos_q[j] = real_cos(t1[j]);
+            across[3 * 8 + j] = cos_q[j]; /* across(1,1) */
+            sin_q[j] = real_sin(t1[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real straight_x = cos_mean[j] * d_x[j] + sin_mean[j] * d_y[j] + t6[j];
+            const real straight_y = cos_mean[j] * d_y[j] - sin_mean[j] * d_x[j];
+            const real t7 = real_sqrt(straight_y * straight_y + straight_x * straight_x);
+            const real t11 = 1.0 / (t7 + t10[j]);
+            const real bow = straight_y * t11;
+            const real t16 = 2.0 * bow * t12[j] + t15[j];
+            const real t17 = 1.0 / t7 * (straight_y * t16 * t11 * t11);
+            const real t18 = 0.5 * straight_x * t17;
+            const real sigma_elongation = sigma[0 * 8 + j];
+            const real t19 = sigma_elongation - t18 - t18;
+            const real t20 = t11 * t16 - straight_y * t17;
+            const real q_fx = cos_mean[j] * t19 - sin_mean[j] * t20;
+            const real q_fy = cos_mean[j] * t20 + sin_mean[j] * t19;
+            force_p[0 * 8 + j] = cos_p[j] * q_fx + sin_p[j] * q_fy;
+            force_p[1 * 8 + j] = cos_p[j] * q_fy - sin_p[j] * q_fx;
+            const real t21 = cos_mean[j] * (d_y[j] * t19 - d_x[j] * t20) - sin_mean[j] * (d_y[j] * t20 + d_x[j]
+                * t19);
+            const real t22 = 0.5 * t21;
+            const real l0 = p[0 * 8 + j];
+            const real t25 = t23[j] + 2.0 * l0 * t19 * t24[j] * turn[j];
+            const real rp_fangle = t22 - t25;
+            moment_p[0 * 8 + j] = -rp_fangle;
+            force_q[0 * 8 + j] = cos_q[j] * q_fx + sin_q[j] * q_fy;
+            force_q[1 * 8 + j] = cos_q[j] * q_fy - sin_q[j] * q_fx;
+            const real rq_fangle = t25 + t22;
+            moment_q[0 * 8 + j] = rq_fangle;
+            const real t27 = l0 * (0.054931640625 * cos_p[j] - 0.003662109375 * cos_q[j]);
+            axis[2 * 8 + j] = t26[j] + t27; /* axis(1,0) */
+            const real t29 = l0 * (0.054931640625 * sin_p[j] - 0.003662109375 * sin_q[j]);
+            axis[3 * 8 + j] = t28[j] + t29; /* axis(1,1) */
+            axis[4 * 8 + j] = t30[j] + l0 * (0.095703125 * cos_p[j] - 0.013671875 * cos_q[j]); /* axis(2,0) */
+            axis[5 * 8 + j] = t31[j] + l0 * (0.095703125 * sin_p[j] - 0.013671875 * sin_q[j]); /* axis(2,1) */
+            const real t33 = l0 * (0.123779296875 * cos_p[j] - 0.028564453125 * cos_q[j]);
+            axis[6 * 8 + j] = t32[j] + t33; /* axis(3,0) */
+            const real t35 = l0 * (0.123779296875 * sin_p[j] - 0.028564453125 * sin_q[j]);
+            axis[7 * 8 + j] = t34[j] + t35; /* axis(3,1) */
+            axis[8 * 8 + j] = t36[j] + l0 * (0.140625 * cos_p[j] - 0.046875 * cos_q[j]); /* axis(4,0) */
+            axis[9 * 8 + j] = t37[j] + l0 * (0.140625 * sin_p[j] - 0.046875 * sin_q[j]); /* axis(4,1) */
+            const real t39 = l0 * (0.147705078125 * cos_p[j] - 0.067138671875 * cos_q[j]);
+            axis[10 * 8 + j] = t38[j] + t39; /* axis(5,0) */
+            const real t41 = l0 * (0.147705078125 * sin_p[j] - 0.067138671875 * sin_q[j]);
+            axis[11 * 8 + j] = t40[j] + t41; /* axis(5,1) */
+            axis[12 * 8 + j] = t42[j] + l0 * (0.146484375 * cos_p[j] - 0.087890625 * cos_q[j]); /* axis(6,0) */
+            axis[13 * 8 + j] = t43[j] + l0 * (0.146484375 * sin_p[j] - 0.087890625 * sin_q[j]); /* axis(6,1) */
+            const real t45 = l0 * (0.138427734375 * cos_p[j] - 0.107666015625 * cos_q[j]);
+            axis[14 * 8 + j] = t44[j] + t45; /* axis(7,0) */
+            const real t47 = l0 * (0.138427734375 * sin_p[j] - 0.107666015625 * sin_q[j]);
+            axis[15 * 8 + j] = t46[j] + t47; /* axis(7,1) */
+            axis[16 * 8 + j] = t48[j] + 0.125 * l0 * (cos_p[j] - cos_q[j]); /* axis(8,0) */
+            axis[17 * 8 + j] = t49[j] + 0.125 * l0 * (sin_p[j] - sin_q[j]); /* axis(8,1) */
+            const real t51 = l0 * (0.107666015625 * cos_p[j] - 0.138427734375 * cos_q[j]);
+            axis[18 * 8 + j] = t50[j] + t51; /* axis(9,0) */
+            const real t53 = l0 * (0.107666015625 * sin_p[j] - 0.138427734375 * sin_q[j]);
+            axis[19 * 8 + j] = t52[j] + t53; /* axis(9,1) */
+            axis[20 * 8 + j] = t54[j] + l0 * (0.087890625 * cos_p[j] - 0.146484375 * cos_q[j]); /* axis(10,0) */
+            axis[21 * 8 + j] = t55[j] + l0 * (0.087890625 * sin_p[j] - 0.146484375 * sin_q[j]); /* axis(10,1) */
+            const real t57 = l0 * (0.067138671875 * cos_p[j] - 0.147705078125 * cos_q[j]);
+            axis[22 * 8 + j] = t56[j] + t57; /* axis(11,0) */
+            const real t59 = l0 * (0.067138671875 * sin_p[j] - 0.147705078125 * sin_q[j]);
+            axis[23 * 8 + j] = t58[j] + t59; /* axis(11,1) */
+            axis[24 * 8 + j] = t60[j] + l0 * (0.046875 * cos_p[j] - 0.140625 * cos_q[j]); /* axis(12,0) */
+            axis[25 * 8 + j] = t61[j] + l0 * (0.046875 * sin_p[j] - 0.140625 * sin_q[j]); /* axis(12,1) */
+            const real t63 = l0 * (0.028564453125 * cos_p[j] - 0.123779296875 * cos_q[j]);
+            axis[26 * 8 + j] = t62[j] + t63; /* axis(13,0) */
+            const real t65 = l0 * (0.028564453125 * sin_p[j] - 0.123779296875 * sin_q[j]);
+            axis[27 * 8 + j] = t64[j] + t65; /* axis(13,1) */
+            axis[28 * 8 + j] = t66[j] + l0 * (0.013671875 * cos_p[j] - 0.095703125 * cos_q[j]); /* axis(14,0) */
+            axis[29 * 8 + j] = t67[j] + l0 * (0.013671875 * sin_p[j] - 0.095703125 * sin_q[j]); /* axis(14,1) */
+            const real t69 = l0 * (0.003662109375 * cos_p[j] - 0.054931640625 * cos_q[j]);
+            axis[30 * 8 + j] = t68[j] + t69; /* axis(15,0) */
+            const real t71 = l0 * (0.003662109375 * sin_p[j] - 0.054931640625 * sin_q[j]);
+            axis[31 * 8 + j] = t70[j] + t71; /* axis(15,1) */
+            across[0 * 8 + j] = -sin_p[j]; /* across(0,0) */
+            across[2 * 8 + j] = -sin_q[j]; /* across(1,0) */
+        }
+    }
+}
+
 const flexel_element flexel_planar_beam_logarithmic = {
     .name = "planar_beam_logarithmic",
-    .digest = "ffac77bb15f5efbb",
+    .digest = "049e53572cf8de73",
     .n = 6,
     .m = 3,
     .k = 0,
-    .np = 8,
+    .np = 9,
     .position = planar_beam_logarithmic_position,
     .acceleration = planar_beam_logarithmic_acceleration,
     .rates = planar_beam_logarithmic_rates,
@@ -1397,4 +1607,5 @@ const flexel_element flexel_planar_beam_logarithmic = {
     .stiffness = planar_beam_logarithmic_stiffness,
     .inertia = planar_beam_logarithmic_inertia,
     .tangent = planar_beam_logarithmic_tangent,
+    .outputs = planar_beam_logarithmic_outputs,
 };

@@ -2,6 +2,7 @@
  *
  * ex, ey: directions of the element (angle_p + alpha0); d = xq - xp
  * along = ex.d - d0_x,  across = ey.d - d0_y,  angle = angle_q - angle_p - offset0 (counts turns)
+ * axes: the directions in rows;  displacement: the deformations that are lengths
  *
  * Source: SPACAR95 manual (Schwab and Meijaard 2000), PLBEAR
  *
@@ -246,7 +247,7 @@ static void planar_bearing_stiffness(size_t nblocks, const real *const *in, real
         const real *restrict sigma = in[1] + b * (3 * 8);
         const real *restrict p = in[3] + b * (4 * 8);
         real *restrict K = out[0] + b * (9 * 8);
-        real t0[8], cos_p[8], sin_p[8], t3[8], t4[8];
+        real t0[8], cos_p[8], sin_p[8], t1[8], t2[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real rp_angle = x[2 * 8 + j];
@@ -260,8 +261,8 @@ static void planar_bearing_stiffness(size_t nblocks, const real *const *in, real
             const real p_x = x[0 * 8 + j];
             const real d_x = q_x - p_x;
             const real sigma_across = sigma[1 * 8 + j];
-            t3[j] = d_y * sigma_along - d_x * sigma_across;
-            t4[j] = d_y * sigma_across + d_x * sigma_along;
+            t1[j] = d_y * sigma_along - d_x * sigma_across;
+            t2[j] = d_y * sigma_across + d_x * sigma_along;
         }
         for (size_t j = 0; j < 8; j++) {
             cos_p[j] = real_cos(t0[j]);
@@ -271,20 +272,61 @@ static void planar_bearing_stiffness(size_t nblocks, const real *const *in, real
         for (size_t j = 0; j < 8; j++) {
             const real sigma_across = sigma[1 * 8 + j];
             const real sigma_along = sigma[0 * 8 + j];
-            const real t1 = cos_p[j] * sigma_across + sin_p[j] * sigma_along;
-            K[0 * 8 + j] = K[2 * 8 + j] = t1; /* K(0,2) K(2,0) */
-            const real t2 = cos_p[j] * sigma_along - sin_p[j] * sigma_across;
-            K[6 * 8 + j] = K[8 * 8 + j] = t2; /* K(2,4) K(4,2) */
-            K[1 * 8 + j] = K[3 * 8 + j] = -t2; /* K(1,2) K(2,1) */
-            K[4 * 8 + j] = -(sin_p[j] * t3[j] + cos_p[j] * t4[j]); /* K(2,2) */
-            K[5 * 8 + j] = K[7 * 8 + j] = -t1; /* K(2,3) K(3,2) */
+            const real q_fy = cos_p[j] * sigma_across + sin_p[j] * sigma_along;
+            K[0 * 8 + j] = K[2 * 8 + j] = q_fy; /* K(0,2) K(2,0) */
+            const real q_fx = cos_p[j] * sigma_along - sin_p[j] * sigma_across;
+            K[6 * 8 + j] = K[8 * 8 + j] = q_fx; /* K(2,4) K(4,2) */
+            K[1 * 8 + j] = K[3 * 8 + j] = -q_fx; /* K(1,2) K(2,1) */
+            K[4 * 8 + j] = -(sin_p[j] * t1[j] + cos_p[j] * t2[j]); /* K(2,2) */
+            K[5 * 8 + j] = K[7 * 8 + j] = -q_fy; /* K(2,3) K(3,2) */
+        }
+    }
+}
+
+/* outputs: 14 operations.
+ * in:  x (6), sigma (3), tau (0), p (4)
+ * out: axes (2,2), displacement (2) */
+FLEXEL_CLONES
+static void planar_bearing_outputs(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (6 * 8);
+        const real *restrict p = in[3] + b * (4 * 8);
+        real *restrict axes = out[0] + b * (4 * 8);
+        real *restrict displacement = out[1] + b * (2 * 8);
+        real t0[8], cos_p[8], sin_p[8], d_x[8], d_y[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real rp_angle = x[2 * 8 + j];
+            const real alpha0 = p[0 * 8 + j];
+            t0[j] = rp_angle + alpha0;
+            const real q_x = x[3 * 8 + j];
+            const real p_x = x[0 * 8 + j];
+            d_x[j] = q_x - p_x;
+            const real q_y = x[4 * 8 + j];
+            const real p_y = x[1 * 8 + j];
+            d_y[j] = q_y - p_y;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            cos_p[j] = real_cos(t0[j]);
+            axes[0 * 8 + j] = axes[3 * 8 + j] = cos_p[j]; /* axes(0,0) axes(1,1) */
+            sin_p[j] = real_sin(t0[j]);
+            axes[1 * 8 + j] = sin_p[j]; /* axes(0,1) */
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            axes[2 * 8 + j] = -sin_p[j]; /* axes(1,0) */
+            const real d0_x = p[1 * 8 + j];
+            displacement[0 * 8 + j] = cos_p[j] * d_x[j] + sin_p[j] * d_y[j] - d0_x;
+            const real d0_y = p[2 * 8 + j];
+            displacement[1 * 8 + j] = cos_p[j] * d_y[j] - d0_y - sin_p[j] * d_x[j];
         }
     }
 }
 
 const flexel_element flexel_planar_bearing = {
     .name = "planar_bearing",
-    .digest = "7925b4ae9c03247c",
+    .digest = "698413354c2bda26",
     .n = 6,
     .m = 3,
     .k = 0,
@@ -294,4 +336,5 @@ const flexel_element flexel_planar_bearing = {
     .rates = planar_bearing_rates,
     .kinematics = planar_bearing_kinematics,
     .stiffness = planar_bearing_stiffness,
+    .outputs = planar_bearing_outputs,
 };

@@ -5,6 +5,8 @@
  * theta = psi - atan2(radius_p - radius_q, free_length), turn of the points of contact
  * elongation = free_length + radius_p (angle_p - theta) - radius_q (angle_q - theta) - zero,
  * period 2 pi (radius_p - radius_q): a turn of the line of centres, whose angle is a principal value
+ * run: from xp + radius_p left to xq + radius_q left, left the normal of the common tangent
+ * origin_p, axes_p, origin_q, axes_q: frames of both wheels at xp and xq, the axes in rows
  *
  * Source: SPACAR95 manual (Schwab and Meijaard 2000), PLBELT; terms in theta from the geometry: without them the
  *   tension would not act along the belt
@@ -393,9 +395,67 @@ static void planar_belt_stiffness(size_t nblocks, const real *const *in, real *c
     }
 }
 
+/* outputs: 32 operations.
+ * in:  x (6), sigma (1), tau (0), p (4)
+ * out: run (2,2), origin_p (2), axes_p (2,2), origin_q (2), axes_q (2,2) */
+FLEXEL_CLONES
+static void planar_belt_outputs(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (6 * 8);
+        const real *restrict p = in[3] + b * (4 * 8);
+        real *restrict run = out[0] + b * (4 * 8);
+        real *restrict origin_p = out[1] + b * (2 * 8);
+        real *restrict axes_p = out[2] + b * (4 * 8);
+        real *restrict origin_q = out[3] + b * (2 * 8);
+        real *restrict axes_q = out[4] + b * (4 * 8);
+        real t4[8], t5[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real p_x = x[0 * 8 + j];
+            origin_p[0 * 8 + j] = p_x;
+            const real q_x = x[3 * 8 + j];
+            origin_q[0 * 8 + j] = q_x;
+            const real d_x = q_x - p_x;
+            const real q_y = x[4 * 8 + j];
+            origin_q[1 * 8 + j] = q_y;
+            const real p_y = x[1 * 8 + j];
+            origin_p[1 * 8 + j] = p_y;
+            const real d_y = q_y - p_y;
+            const real t0 = d_x * d_x + d_y * d_y;
+            const real t1 = 1.0 / t0;
+            const real radius_p = p[0 * 8 + j];
+            const real radius_q = p[1 * 8 + j];
+            const real step = radius_p - radius_q;
+            const real free_length = real_sqrt(t0 - step * step);
+            const real t2 = t1 * (d_x * step - d_y * free_length);
+            run[0 * 8 + j] = p_x + radius_p * t2; /* run(0,0) */
+            const real t3 = t1 * (d_x * free_length + d_y * step);
+            run[1 * 8 + j] = p_y + radius_p * t3; /* run(0,1) */
+            run[2 * 8 + j] = q_x + radius_q * t2; /* run(1,0) */
+            run[3 * 8 + j] = q_y + radius_q * t3; /* run(1,1) */
+        }
+        for (size_t j = 0; j < 8; j++) {
+            const real rp_angle = x[2 * 8 + j];
+            axes_p[0 * 8 + j] = axes_p[3 * 8 + j] = real_cos(rp_angle); /* axes_p(0,0) axes_p(1,1) */
+            t4[j] = real_sin(rp_angle);
+            axes_p[1 * 8 + j] = t4[j]; /* axes_p(0,1) */
+            const real rq_angle = x[5 * 8 + j];
+            axes_q[0 * 8 + j] = axes_q[3 * 8 + j] = real_cos(rq_angle); /* axes_q(0,0) axes_q(1,1) */
+            t5[j] = real_sin(rq_angle);
+            axes_q[1 * 8 + j] = t5[j]; /* axes_q(0,1) */
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            axes_p[2 * 8 + j] = -t4[j]; /* axes_p(1,0) */
+            axes_q[2 * 8 + j] = -t5[j]; /* axes_q(1,0) */
+        }
+    }
+}
+
 const flexel_element flexel_planar_belt = {
     .name = "planar_belt",
-    .digest = "9b08aa4e2767ad0c",
+    .digest = "a35518cb77059eed",
     .n = 6,
     .m = 1,
     .k = 0,
@@ -405,4 +465,5 @@ const flexel_element flexel_planar_belt = {
     .rates = planar_belt_rates,
     .kinematics = planar_belt_kinematics,
     .stiffness = planar_belt_stiffness,
+    .outputs = planar_belt_outputs,
 };

@@ -3,6 +3,8 @@
  * b = R(angle) c,  vc = xdot + angledot (-b_y, b_x), velocity of the mass centre
  * T = mass vc.vc/2 + J angledot^2/2
  * U = -mass gravity.(x + b)
+ * centre: x + b
+ * origin: x, axes: columns of R(angle) in rows: the frame that carries what a picture shows
  *
  * Source: textbook mechanics
  *
@@ -175,13 +177,56 @@ static void planar_body_tangent(size_t nblocks, const real *const *in, real *con
     }
 }
 
+/* outputs: 11 operations.
+ * in:  x (3), sigma (0), tau (0), p (6)
+ * out: centre (2), origin (2), axes (2,2) */
+FLEXEL_CLONES
+static void planar_body_outputs(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (3 * 8);
+        const real *restrict p = in[3] + b * (6 * 8);
+        real *restrict centre = out[0] + b * (2 * 8);
+        real *restrict origin = out[1] + b * (2 * 8);
+        real *restrict axes = out[2] + b * (4 * 8);
+        real cos_r[8], sin_r[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real p_x = x[0 * 8 + j];
+            origin[0 * 8 + j] = p_x;
+            const real p_y = x[1 * 8 + j];
+            origin[1 * 8 + j] = p_y;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            const real r_angle = x[2 * 8 + j];
+            cos_r[j] = real_cos(r_angle);
+            axes[0 * 8 + j] = axes[3 * 8 + j] = cos_r[j]; /* axes(0,0) axes(1,1) */
+            sin_r[j] = real_sin(r_angle);
+            axes[1 * 8 + j] = sin_r[j]; /* axes(0,1) */
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real c_x = p[1 * 8 + j];
+            const real c_y = p[2 * 8 + j];
+            const real b_x = c_x * cos_r[j] - c_y * sin_r[j];
+            const real p_x = x[0 * 8 + j];
+            centre[0 * 8 + j] = p_x + b_x;
+            const real b_y = c_x * sin_r[j] + c_y * cos_r[j];
+            const real p_y = x[1 * 8 + j];
+            centre[1 * 8 + j] = p_y + b_y;
+            axes[2 * 8 + j] = -sin_r[j]; /* axes(1,0) */
+        }
+    }
+}
+
 const flexel_element flexel_planar_body = {
     .name = "planar_body",
-    .digest = "572d04c3f070df03",
+    .digest = "4ae58659751f332a",
     .n = 3,
     .m = 0,
     .k = 0,
     .np = 6,
     .inertia = planar_body_inertia,
     .tangent = planar_body_tangent,
+    .outputs = planar_body_outputs,
 };

@@ -6,6 +6,7 @@
  * w = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body
  * a = x - xc - offset_x ex - offset_y ey
  * gap = |a| - radius - rope_radius,  tangential = (ax wy - ay wx)/|a|, counterclockwise
+ * place: x, force: on what touches, origin: of the surface, in global axes;  axes: its directions in rows
  *
  * Source: planar counterpart of contact in space
  *
@@ -1120,9 +1121,107 @@ static void planar_cable_circle_stiffness(size_t nblocks, const real *const *in,
     }
 }
 
+/* outputs: 80 operations.
+ * in:  x (11), sigma (1), tau (1), p (7)
+ * out: place (2), force (2), origin (2), axes (2,2) */
+FLEXEL_CLONES
+static void planar_cable_circle_outputs(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (11 * 8);
+        const real *restrict sigma = in[1] + b * (1 * 8);
+        const real *restrict tau = in[2] + b * (1 * 8);
+        const real *restrict p = in[3] + b * (7 * 8);
+        real *restrict place = out[0] + b * (2 * 8);
+        real *restrict force = out[1] + b * (2 * 8);
+        real *restrict origin = out[2] + b * (2 * 8);
+        real *restrict axes = out[3] + b * (4 * 8);
+        real n0[8], n2[8], t12[8], sin_r[8], d_x[8], cos_r[8], d_y[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real xi = p[1 * 8 + j];
+            const real t0 = 1.0 - xi;
+            const real t1 = t0 * t0;
+            const real t2 = 2.0 * xi;
+            n0[j] = t1 * (1.0 + t2);
+            const real p_x = x[0 * 8 + j];
+            const real t3 = p_x * n0[j];
+            const real t4 = xi * xi;
+            n2[j] = t4 * (3.0 - t2);
+            const real q_x = x[4 * 8 + j];
+            const real t5 = q_x * n2[j];
+            const real dq_x = x[6 * 8 + j];
+            const real dp_x = x[2 * 8 + j];
+            const real turn_x = dq_x - dp_x;
+            const real dq_y = x[7 * 8 + j];
+            const real dp_y = x[3 * 8 + j];
+            const real turn_y = dq_y - dp_y;
+            const real square_turn = turn_x * turn_x + turn_y * turn_y;
+            const real t6 = 0.020833333333333332 + 0.0022569444444444442 * square_turn;
+            const real longer = 1.0 + square_turn * t6;
+            const real l0 = p[0 * 8 + j];
+            const real n1 = l0 * t1 * xi;
+            const real t7 = l0 * t0 * t4;
+            const real handles_x = dp_x * n1 - dq_x * t7;
+            const real t8 = longer * handles_x;
+            place[0 * 8 + j] = t5 + t8 + t3;
+            const real p_y = x[1 * 8 + j];
+            const real t9 = p_y * n0[j];
+            const real q_y = x[5 * 8 + j];
+            const real t10 = q_y * n2[j];
+            const real handles_y = dp_y * n1 - dq_y * t7;
+            const real t11 = longer * handles_y;
+            place[1 * 8 + j] = t10 + t11 + t9;
+            const real r_angle = x[10 * 8 + j];
+            const real alpha0 = p[2 * 8 + j];
+            t12[j] = r_angle + alpha0;
+            const real c_x = x[8 * 8 + j];
+            d_x[j] = t3 + t5 + t8 - c_x;
+            const real c_y = x[9 * 8 + j];
+            d_y[j] = t9 + t10 + t11 - c_y;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            sin_r[j] = real_sin(t12[j]);
+            axes[1 * 8 + j] = sin_r[j]; /* axes(0,1) */
+            cos_r[j] = real_cos(t12[j]);
+            axes[0 * 8 + j] = axes[3 * 8 + j] = cos_r[j]; /* axes(0,0) axes(1,1) */
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real offset_y = p[4 * 8 + j];
+            const real t13 = offset_y * sin_r[j];
+            const real offset_x = p[3 * 8 + j];
+            const real t14 = offset_x * cos_r[j];
+            const real arm_x = t13 + d_x[j] - t14;
+            const real t15 = offset_y * cos_r[j];
+            const real t16 = offset_x * sin_r[j];
+            const real arm_y = d_y[j] - t15 - t16;
+            const real distance = real_sqrt(arm_x * arm_x + arm_y * arm_y);
+            const real t17 = 1.0 / distance;
+            const real sigma_gap = sigma[0 * 8 + j];
+            const real t18 = sigma_gap * t17;
+            const real tau_tangential = tau[0 * 8 + j];
+            const real t19 = tau_tangential * t17;
+            const real t20 = arm_x * t18 - arm_y * t19;
+            const real p_fx = n0[j] * t20;
+            const real q_fx = n2[j] * t20;
+            force[0 * 8 + j] = -(p_fx + q_fx);
+            const real t21 = arm_y * t18 + arm_x * t19;
+            const real p_fy = n0[j] * t21;
+            const real q_fy = n2[j] * t21;
+            force[1 * 8 + j] = -(p_fy + q_fy);
+            const real c_x = x[8 * 8 + j];
+            origin[0 * 8 + j] = c_x + t14 - t13;
+            const real c_y = x[9 * 8 + j];
+            origin[1 * 8 + j] = c_y + t15 + t16;
+            axes[2 * 8 + j] = -sin_r[j]; /* axes(1,0) */
+        }
+    }
+}
+
 const flexel_element flexel_planar_cable_circle = {
     .name = "planar_cable_circle",
-    .digest = "7f5e8c23b352a0bf",
+    .digest = "f046569926e26fd6",
     .n = 11,
     .m = 1,
     .k = 1,
@@ -1132,4 +1231,5 @@ const flexel_element flexel_planar_cable_circle = {
     .rates = planar_cable_circle_rates,
     .kinematics = planar_cable_circle_kinematics,
     .stiffness = planar_cable_circle_stiffness,
+    .outputs = planar_cable_circle_outputs,
 };

@@ -5,6 +5,7 @@
  * ex, ey: directions at angle + alpha0
  * w = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body
  * gap = ey.(x - xc) - offset_y - rope_radius,  tangential = ex.w
+ * place: x, force: on what touches, origin: of the surface, in global axes;  axes: its directions in rows
  *
  * Source: planar counterpart of contact in space
  *
@@ -593,9 +594,9 @@ static void planar_cable_line_stiffness(size_t nblocks, const real *const *in, r
         const real *restrict tau = in[2] + b * (1 * 8);
         const real *restrict p = in[3] + b * (6 * 8);
         real *restrict K = out[0] + b * (37 * 8);
-        real n0[8], t3[8], cos_r[8], sin_r[8], n1[8], turn_x[8], turn_y[8], t10[8], t11[8], t12[8], t16[8],
-            handles_y[8], handles_x[8], t22[8], t23[8], t26[8], t33[8], t39[8], t45[8], longer[8], n2[8], t92[8],
-            t96[8], t98[8], t99[8], d_x[8], d_y[8];
+        real n0[8], t3[8], cos_r[8], sin_r[8], n1[8], turn_x[8], turn_y[8], t9[8], t10[8], t11[8], t15[8],
+            handles_y[8], handles_x[8], t21[8], t22[8], t25[8], t32[8], t38[8], t44[8], longer[8], n2[8], t91[8],
+            t95[8], t97[8], t98[8], d_x[8], d_y[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real xi = p[1 * 8 + j];
@@ -614,31 +615,31 @@ static void planar_cable_line_stiffness(size_t nblocks, const real *const *in, r
             const real dq_y = x[7 * 8 + j];
             const real dp_y = x[3 * 8 + j];
             turn_y[j] = dq_y - dp_y;
-            t10[j] = turn_y[j] * turn_y[j];
-            const real square_turn = turn_x[j] * turn_x[j] + t10[j];
-            t11[j] = 0.020833333333333332 + 0.0045138888888888885 * square_turn;
-            t12[j] = turn_x[j] * t11[j];
-            const real t15 = xi * xi;
-            t16[j] = l0 * t15 * t0;
-            handles_y[j] = dp_y * n1[j] - dq_y * t16[j];
-            handles_x[j] = dp_x * n1[j] - dq_x * t16[j];
-            t22[j] = 0.041666666666666664 + 0.009027777777777777 * square_turn;
-            t23[j] = turn_x[j] * t22[j];
-            t26[j] = n1[j] * t22[j];
-            t33[j] = turn_y[j] * t11[j];
-            t39[j] = turn_y[j] * t22[j];
-            t45[j] = t16[j] * t22[j];
-            const real t56 = 0.020833333333333332 + 0.0022569444444444442 * square_turn;
-            longer[j] = 1.0 + square_turn * t56;
-            n2[j] = t15 * (3.0 - t2);
-            const real t90 = n1[j] * longer[j];
-            const real t91 = handles_x[j] * t23[j];
-            t92[j] = t90 - t91;
-            const real t95 = handles_y[j] * t39[j];
-            t96[j] = t90 - t95;
-            const real t97 = t16[j] * longer[j];
-            t98[j] = t91 - t97;
-            t99[j] = t95 - t97;
+            t9[j] = turn_y[j] * turn_y[j];
+            const real square_turn = turn_x[j] * turn_x[j] + t9[j];
+            t10[j] = 0.020833333333333332 + 0.0045138888888888885 * square_turn;
+            t11[j] = turn_x[j] * t10[j];
+            const real t14 = xi * xi;
+            t15[j] = l0 * t14 * t0;
+            handles_y[j] = dp_y * n1[j] - dq_y * t15[j];
+            handles_x[j] = dp_x * n1[j] - dq_x * t15[j];
+            t21[j] = 0.041666666666666664 + 0.009027777777777777 * square_turn;
+            t22[j] = turn_x[j] * t21[j];
+            t25[j] = n1[j] * t21[j];
+            t32[j] = turn_y[j] * t10[j];
+            t38[j] = turn_y[j] * t21[j];
+            t44[j] = t15[j] * t21[j];
+            const real t55 = 0.020833333333333332 + 0.0022569444444444442 * square_turn;
+            longer[j] = 1.0 + square_turn * t55;
+            n2[j] = t14 * (3.0 - t2);
+            const real t89 = n1[j] * longer[j];
+            const real t90 = handles_x[j] * t22[j];
+            t91[j] = t89 - t90;
+            const real t94 = handles_y[j] * t38[j];
+            t95[j] = t89 - t94;
+            const real t96 = t15[j] * longer[j];
+            t97[j] = t90 - t96;
+            t98[j] = t94 - t96;
             const real q_x = x[4 * 8 + j];
             const real p_x = x[0 * 8 + j];
             const real c_x = x[8 * 8 + j];
@@ -660,117 +661,196 @@ static void planar_cable_line_stiffness(size_t nblocks, const real *const *in, r
             const real t5 = sin_r[j] * tau_tangential;
             const real t6 = t4 + t5;
             K[24 * 8 + j] = K[34 * 8 + j] = t6; /* K(8,10) K(10,8) */
-            K[0 * 8 + j] = K[26 * 8 + j] = -(n0[j] * t6); /* K(0,10) K(10,0) */
+            const real p_fy = n0[j] * t6;
+            K[0 * 8 + j] = K[26 * 8 + j] = -p_fy; /* K(0,10) K(10,0) */
             const real t7 = sin_r[j] * sigma_gap;
             const real t8 = cos_r[j] * tau_tangential;
-            const real t9 = t7 - t8;
-            K[25 * 8 + j] = K[35 * 8 + j] = t9; /* K(9,10) K(10,9) */
-            K[1 * 8 + j] = K[27 * 8 + j] = -(n0[j] * t9); /* K(1,10) K(10,1) */
-            const real t13 = t12[j] * t7;
-            const real t14 = 2.0 * n1[j] * t13;
-            const real t17 = handles_y[j] * t4 - handles_x[j] * t7;
-            const real t18 = turn_x[j] * t17;
-            const real t19 = 2.0 * t11[j] * t17;
-            const real t20 = 0.018055555555555554 * (turn_x[j] * t18) + t19;
-            const real t21 = t14 + t20;
-            const real t24 = t23[j] * t8;
-            const real t25 = n1[j] * t24;
-            const real t27 = handles_y[j] * t5 + handles_x[j] * t8;
-            const real t28 = 0.018055555555555554 * (turn_x[j] * t27);
-            const real t29 = t8 * t26[j] - t28;
-            const real t30 = t22[j] * t27;
-            const real t31 = turn_x[j] * t29 - t30;
-            K[2 * 8 + j] = t14 + t21 - t25 - t31; /* K(2,2) */
-            const real t32 = 0.018055555555555554 * (turn_y[j] * t18);
-            const real t34 = t33[j] * t7;
-            const real t35 = t32 + 2.0 * n1[j] * t34;
-            const real t36 = t12[j] * t4;
-            const real t37 = 2.0 * n1[j] * t36;
-            const real t38 = t35 - t37;
-            const real t40 = t39[j] * t8;
-            const real t41 = n1[j] * t40;
-            const real t42 = 0.018055555555555554 * (turn_y[j] * t27);
-            const real t43 = t5 * t26[j] - t42;
-            const real t44 = turn_x[j] * t43;
-            K[3 * 8 + j] = t38 - t41 - t44; /* K(2,3) */
-            const real t46 = t28 - t8 * t45[j];
-            const real t47 = t30 + turn_x[j] * t46;
-            const real t48 = 2.0 * t16[j] * t13;
-            const real t49 = t48 + t21;
-            K[4 * 8 + j] = t25 - t47 - t49; /* K(2,6) */
-            const real t50 = 2.0 * t16[j] * t36;
-            const real t51 = t50 - t35;
-            const real t52 = t42 - t5 * t45[j];
-            const real t53 = turn_x[j] * t52;
-            K[5 * 8 + j] = t51 + t41 - t53; /* K(2,7) */
-            const real t54 = handles_y[j] * t7 + handles_x[j] * t4;
-            const real t55 = 2.0 * t12[j] * t54;
-            const real t57 = longer[j] * t4;
-            const real t58 = t55 - n1[j] * t57;
-            const real t59 = longer[j] * t5;
-            const real t60 = t22[j] * (handles_y[j] * t8 - handles_x[j] * t5);
-            const real t61 = turn_x[j] * t60;
-            K[6 * 8 + j] = t58 - n1[j] * t59 - t61; /* K(2,10) */
-            const real t62 = t23[j] * t5;
-            const real t63 = n1[j] * t62;
-            const real t64 = turn_y[j] * t29;
-            K[7 * 8 + j] = t38 - t63 - t64; /* K(3,2) */
-            const real t65 = t33[j] * t4;
-            const real t66 = 2.0 * n1[j] * t65;
-            const real t67 = t19 + 0.018055555555555554 * (t10[j] * t17);
-            const real t68 = t66 - t67;
-            const real t69 = t39[j] * t5;
-            const real t70 = n1[j] * t69;
-            const real t71 = turn_y[j] * t43 - t30;
-            K[8 * 8 + j] = -(t70 + t71 + t66 + t68); /* K(3,3) */
-            const real t72 = 2.0 * t16[j] * t34;
-            const real t73 = t37 - t32 - t72;
-            const real t74 = turn_y[j] * t46;
-            K[9 * 8 + j] = t73 + t63 - t74; /* K(3,6) */
-            const real t75 = 2.0 * t16[j] * t65;
-            const real t76 = t75 + t68;
-            const real t77 = t30 + turn_y[j] * t52;
-            K[10 * 8 + j] = t70 + t76 - t77; /* K(3,7) */
-            const real t78 = 2.0 * t33[j] * t54;
-            const real t79 = longer[j] * t7;
-            const real t80 = t78 - n1[j] * t79;
-            const real t81 = longer[j] * t8;
-            const real t82 = turn_y[j] * t60;
-            K[11 * 8 + j] = t80 + n1[j] * t81 - t82; /* K(3,10) */
-            K[12 * 8 + j] = K[30 * 8 + j] = -(n2[j] * t6); /* K(4,10) K(10,4) */
-            K[13 * 8 + j] = K[31 * 8 + j] = -(n2[j] * t9); /* K(5,10) K(10,5) */
-            const real t83 = t16[j] * t24;
-            K[14 * 8 + j] = t83 + t31 - t49; /* K(6,2) */
-            const real t84 = t16[j] * t40;
-            K[15 * 8 + j] = t73 + t44 + t84; /* K(6,3) */
-            K[16 * 8 + j] = t48 + t47 + t20 + t48 - t83; /* K(6,6) */
-            const real t85 = t32 + t72 - t50;
-            K[17 * 8 + j] = t85 + t53 - t84; /* K(6,7) */
-            const real t86 = t16[j] * t57 - t55;
-            K[18 * 8 + j] = t61 + t86 + t16[j] * t59; /* K(6,10) */
-            const real t87 = t16[j] * t62;
-            K[19 * 8 + j] = t51 + t64 + t87; /* K(7,2) */
-            const real t88 = t16[j] * t69;
-            K[20 * 8 + j] = t76 + t71 + t88; /* K(7,3) */
-            K[21 * 8 + j] = t85 + t74 - t87; /* K(7,6) */
-            K[22 * 8 + j] = t67 + t77 - t75 - t75 - t88; /* K(7,7) */
-            const real t89 = t16[j] * t79 - t78;
-            K[23 * 8 + j] = t82 + t89 - t16[j] * t81; /* K(7,10) */
-            const real t93 = handles_y[j] * t24;
-            K[28 * 8 + j] = t58 - t5 * t92[j] - t93; /* K(10,2) */
-            const real t94 = handles_x[j] * t69;
-            K[29 * 8 + j] = t80 + t8 * t96[j] + t94; /* K(10,3) */
-            K[32 * 8 + j] = t86 + t93 - t5 * t98[j]; /* K(10,6) */
-            K[33 * 8 + j] = t89 + t8 * t99[j] - t94; /* K(10,7) */
-            const real t100 = d_y[j] * t5 + sigma_gap * (cos_r[j] * d_y[j] - sin_r[j] * d_x[j]);
-            K[36 * 8 + j] = -(d_x[j] * t8 + t100); /* K(10,10) */
+            const real c_fx = t7 - t8;
+            K[25 * 8 + j] = K[35 * 8 + j] = c_fx; /* K(9,10) K(10,9) */
+            K[1 * 8 + j] = K[27 * 8 + j] = -(n0[j] * c_fx); /* K(1,10) K(10,1) */
+            const real t12 = t11[j] * t7;
+            const real t13 = 2.0 * n1[j] * t12;
+            const real t16 = handles_y[j] * t4 - handles_x[j] * t7;
+            const real t17 = turn_x[j] * t16;
+            const real t18 = 2.0 * t10[j] * t16;
+            const real t19 = 0.018055555555555554 * (turn_x[j] * t17) + t18;
+            const real t20 = t13 + t19;
+            const real t23 = t22[j] * t8;
+            const real t24 = n1[j] * t23;
+            const real t26 = handles_y[j] * t5 + handles_x[j] * t8;
+            const real t27 = 0.018055555555555554 * (turn_x[j] * t26);
+            const real t28 = t8 * t25[j] - t27;
+            const real t29 = t21[j] * t26;
+            const real t30 = turn_x[j] * t28 - t29;
+            K[2 * 8 + j] = t13 + t20 - t24 - t30; /* K(2,2) */
+            const real t31 = 0.018055555555555554 * (turn_y[j] * t17);
+            const real t33 = t32[j] * t7;
+            const real t34 = t31 + 2.0 * n1[j] * t33;
+            const real t35 = t11[j] * t4;
+            const real t36 = 2.0 * n1[j] * t35;
+            const real t37 = t34 - t36;
+            const real t39 = t38[j] * t8;
+            const real t40 = n1[j] * t39;
+            const real t41 = 0.018055555555555554 * (turn_y[j] * t26);
+            const real t42 = t5 * t25[j] - t41;
+            const real t43 = turn_x[j] * t42;
+            K[3 * 8 + j] = t37 - t40 - t43; /* K(2,3) */
+            const real t45 = t27 - t8 * t44[j];
+            const real t46 = t29 + turn_x[j] * t45;
+            const real t47 = 2.0 * t15[j] * t12;
+            const real t48 = t47 + t20;
+            K[4 * 8 + j] = t24 - t46 - t48; /* K(2,6) */
+            const real t49 = 2.0 * t15[j] * t35;
+            const real t50 = t49 - t34;
+            const real t51 = t41 - t5 * t44[j];
+            const real t52 = turn_x[j] * t51;
+            K[5 * 8 + j] = t50 + t40 - t52; /* K(2,7) */
+            const real t53 = handles_y[j] * t7 + handles_x[j] * t4;
+            const real t54 = 2.0 * t11[j] * t53;
+            const real t56 = longer[j] * t4;
+            const real t57 = t54 - n1[j] * t56;
+            const real t58 = longer[j] * t5;
+            const real t59 = t21[j] * (handles_y[j] * t8 - handles_x[j] * t5);
+            const real t60 = turn_x[j] * t59;
+            K[6 * 8 + j] = t57 - n1[j] * t58 - t60; /* K(2,10) */
+            const real t61 = t22[j] * t5;
+            const real t62 = n1[j] * t61;
+            const real t63 = turn_y[j] * t28;
+            K[7 * 8 + j] = t37 - t62 - t63; /* K(3,2) */
+            const real t64 = t32[j] * t4;
+            const real t65 = 2.0 * n1[j] * t64;
+            const real t66 = t18 + 0.018055555555555554 * (t9[j] * t16);
+            const real t67 = t65 - t66;
+            const real t68 = t38[j] * t5;
+            const real t69 = n1[j] * t68;
+            const real t70 = turn_y[j] * t42 - t29;
+            K[8 * 8 + j] = -(t69 + t70 + t65 + t67); /* K(3,3) */
+            const real t71 = 2.0 * t15[j] * t33;
+            const real t72 = t36 - t31 - t71;
+            const real t73 = turn_y[j] * t45;
+            K[9 * 8 + j] = t72 + t62 - t73; /* K(3,6) */
+            const real t74 = 2.0 * t15[j] * t64;
+            const real t75 = t74 + t67;
+            const real t76 = t29 + turn_y[j] * t51;
+            K[10 * 8 + j] = t69 + t75 - t76; /* K(3,7) */
+            const real t77 = 2.0 * t32[j] * t53;
+            const real t78 = longer[j] * t7;
+            const real t79 = t77 - n1[j] * t78;
+            const real t80 = longer[j] * t8;
+            const real t81 = turn_y[j] * t59;
+            K[11 * 8 + j] = t79 + n1[j] * t80 - t81; /* K(3,10) */
+            const real q_fy = n2[j] * t6;
+            K[12 * 8 + j] = K[30 * 8 + j] = -q_fy; /* K(4,10) K(10,4) */
+            K[13 * 8 + j] = K[31 * 8 + j] = -(n2[j] * c_fx); /* K(5,10) K(10,5) */
+            const real t82 = t15[j] * t23;
+            K[14 * 8 + j] = t82 + t30 - t48; /* K(6,2) */
+            const real t83 = t15[j] * t39;
+            K[15 * 8 + j] = t72 + t43 + t83; /* K(6,3) */
+            K[16 * 8 + j] = t47 + t46 + t19 + t47 - t82; /* K(6,6) */
+            const real t84 = t31 + t71 - t49;
+            K[17 * 8 + j] = t84 + t52 - t83; /* K(6,7) */
+            const real t85 = t15[j] * t56 - t54;
+            K[18 * 8 + j] = t60 + t85 + t15[j] * t58; /* K(6,10) */
+            const real t86 = t15[j] * t61;
+            K[19 * 8 + j] = t50 + t63 + t86; /* K(7,2) */
+            const real t87 = t15[j] * t68;
+            K[20 * 8 + j] = t75 + t70 + t87; /* K(7,3) */
+            K[21 * 8 + j] = t84 + t73 - t86; /* K(7,6) */
+            K[22 * 8 + j] = t66 + t76 - t74 - t74 - t87; /* K(7,7) */
+            const real t88 = t15[j] * t78 - t77;
+            K[23 * 8 + j] = t81 + t88 - t15[j] * t80; /* K(7,10) */
+            const real t92 = handles_y[j] * t23;
+            K[28 * 8 + j] = t57 - t5 * t91[j] - t92; /* K(10,2) */
+            const real t93 = handles_x[j] * t68;
+            K[29 * 8 + j] = t79 + t8 * t95[j] + t93; /* K(10,3) */
+            K[32 * 8 + j] = t85 + t92 - t5 * t97[j]; /* K(10,6) */
+            K[33 * 8 + j] = t88 + t8 * t98[j] - t93; /* K(10,7) */
+            const real t99 = d_y[j] * t5 + sigma_gap * (cos_r[j] * d_y[j] - sin_r[j] * d_x[j]);
+            K[36 * 8 + j] = -(d_x[j] * t8 + t99); /* K(10,10) */
+        }
+    }
+}
+
+/* outputs: 61 operations.
+ * in:  x (11), sigma (1), tau (1), p (6)
+ * out: place (2), force (2), origin (2), axes (2,2) */
+FLEXEL_CLONES
+static void planar_cable_line_outputs(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (11 * 8);
+        const real *restrict sigma = in[1] + b * (1 * 8);
+        const real *restrict tau = in[2] + b * (1 * 8);
+        const real *restrict p = in[3] + b * (6 * 8);
+        real *restrict place = out[0] + b * (2 * 8);
+        real *restrict force = out[1] + b * (2 * 8);
+        real *restrict origin = out[2] + b * (2 * 8);
+        real *restrict axes = out[3] + b * (4 * 8);
+        real n0[8], n2[8], t6[8], sin_r[8], cos_r[8], t7[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real xi = p[1 * 8 + j];
+            const real t0 = 1.0 - xi;
+            const real t1 = t0 * t0;
+            const real t2 = 2.0 * xi;
+            n0[j] = t1 * (1.0 + t2);
+            const real p_x = x[0 * 8 + j];
+            const real t3 = xi * xi;
+            n2[j] = t3 * (3.0 - t2);
+            const real q_x = x[4 * 8 + j];
+            const real l0 = p[0 * 8 + j];
+            const real n1 = l0 * xi * t1;
+            const real dp_x = x[2 * 8 + j];
+            const real t4 = l0 * t3 * t0;
+            const real dq_x = x[6 * 8 + j];
+            const real handles_x = dp_x * n1 - dq_x * t4;
+            const real turn_x = dq_x - dp_x;
+            const real dq_y = x[7 * 8 + j];
+            const real dp_y = x[3 * 8 + j];
+            const real turn_y = dq_y - dp_y;
+            const real square_turn = turn_x * turn_x + turn_y * turn_y;
+            const real t5 = 0.020833333333333332 + 0.0022569444444444442 * square_turn;
+            const real longer = 1.0 + square_turn * t5;
+            place[0 * 8 + j] = p_x * n0[j] + q_x * n2[j] + handles_x * longer;
+            const real p_y = x[1 * 8 + j];
+            const real q_y = x[5 * 8 + j];
+            const real handles_y = dp_y * n1 - dq_y * t4;
+            place[1 * 8 + j] = p_y * n0[j] + q_y * n2[j] + handles_y * longer;
+            const real r_angle = x[10 * 8 + j];
+            const real alpha0 = p[2 * 8 + j];
+            t6[j] = r_angle + alpha0;
+            t7[j] = n0[j] + n2[j];
+        }
+        for (size_t j = 0; j < 8; j++) {
+            sin_r[j] = real_sin(t6[j]);
+            axes[1 * 8 + j] = sin_r[j]; /* axes(0,1) */
+            cos_r[j] = real_cos(t6[j]);
+            axes[0 * 8 + j] = axes[3 * 8 + j] = cos_r[j]; /* axes(0,0) axes(1,1) */
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real sigma_gap = sigma[0 * 8 + j];
+            const real tau_tangential = tau[0 * 8 + j];
+            const real c_fx = sin_r[j] * sigma_gap - cos_r[j] * tau_tangential;
+            force[0 * 8 + j] = c_fx * t7[j];
+            const real t8 = cos_r[j] * sigma_gap + sin_r[j] * tau_tangential;
+            const real p_fy = n0[j] * t8;
+            const real q_fy = n2[j] * t8;
+            force[1 * 8 + j] = -(p_fy + q_fy);
+            const real offset_x = p[3 * 8 + j];
+            const real c_x = x[8 * 8 + j];
+            const real offset_y = p[4 * 8 + j];
+            origin[0 * 8 + j] = c_x + offset_x * cos_r[j] - offset_y * sin_r[j];
+            const real c_y = x[9 * 8 + j];
+            origin[1 * 8 + j] = c_y + offset_x * sin_r[j] + offset_y * cos_r[j];
+            axes[2 * 8 + j] = -sin_r[j]; /* axes(1,0) */
         }
     }
 }
 
 const flexel_element flexel_planar_cable_line = {
     .name = "planar_cable_line",
-    .digest = "ace9ddfb9ded88a4",
+    .digest = "26dd4499ad052791",
     .n = 11,
     .m = 1,
     .k = 1,
@@ -780,4 +860,5 @@ const flexel_element flexel_planar_cable_line = {
     .rates = planar_cable_line_rates,
     .kinematics = planar_cable_line_kinematics,
     .stiffness = planar_cable_line_stiffness,
+    .outputs = planar_cable_line_outputs,
 };

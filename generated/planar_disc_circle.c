@@ -6,6 +6,8 @@
  * turn = angular velocity of the disc relative to the surface
  * a = x - xc - offset_x ex - offset_y ey
  * gap = |a| - radius - sphere_radius,  tangential = (ax wy - ay wx)/|a| - sphere_radius turn, counterclockwise
+ * place: x, force: on what touches, origin: of the surface, in global axes;  axes: its directions in rows
+ * axes_ball: axes of the body of what touches, in rows
  *
  * Source: planar counterpart of contact in space
  *
@@ -586,9 +588,85 @@ static void planar_disc_circle_stiffness(size_t nblocks, const real *const *in, 
     }
 }
 
+/* outputs: 44 operations.
+ * in:  x (6), sigma (1), tau (1), p (7)
+ * out: place (2), force (2), origin (2), axes (2,2), axes_ball (2,2) */
+FLEXEL_CLONES
+static void planar_disc_circle_outputs(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (6 * 8);
+        const real *restrict sigma = in[1] + b * (1 * 8);
+        const real *restrict tau = in[2] + b * (1 * 8);
+        const real *restrict p = in[3] + b * (7 * 8);
+        real *restrict place = out[0] + b * (2 * 8);
+        real *restrict force = out[1] + b * (2 * 8);
+        real *restrict origin = out[2] + b * (2 * 8);
+        real *restrict axes = out[3] + b * (4 * 8);
+        real *restrict axes_ball = out[4] + b * (4 * 8);
+        real cos_b[8], sin_b[8], t2[8], sin_r[8], cos_r[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real r_angle = x[5 * 8 + j];
+            const real alpha0 = p[2 * 8 + j];
+            t2[j] = r_angle + alpha0;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            const real b_angle = x[2 * 8 + j];
+            cos_b[j] = real_cos(b_angle);
+            axes_ball[0 * 8 + j] = axes_ball[3 * 8 + j] = cos_b[j]; /* axes_ball(0,0) axes_ball(1,1) */
+            sin_b[j] = real_sin(b_angle);
+            axes_ball[1 * 8 + j] = sin_b[j]; /* axes_ball(0,1) */
+            sin_r[j] = real_sin(t2[j]);
+            axes[1 * 8 + j] = sin_r[j]; /* axes(0,1) */
+            cos_r[j] = real_cos(t2[j]);
+            axes[0 * 8 + j] = axes[3 * 8 + j] = cos_r[j]; /* axes(0,0) axes(1,1) */
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real centre_x = p[0 * 8 + j];
+            const real centre_y = p[1 * 8 + j];
+            const real centre_arm_x = centre_x * cos_b[j] - centre_y * sin_b[j];
+            const real p_x = x[0 * 8 + j];
+            const real t0 = p_x + centre_arm_x;
+            place[0 * 8 + j] = t0;
+            const real centre_arm_y = centre_x * sin_b[j] + centre_y * cos_b[j];
+            const real p_y = x[1 * 8 + j];
+            const real t1 = p_y + centre_arm_y;
+            place[1 * 8 + j] = t1;
+            const real c_x = x[3 * 8 + j];
+            const real d_x = t0 - c_x;
+            const real offset_y = p[4 * 8 + j];
+            const real t3 = offset_y * sin_r[j];
+            const real offset_x = p[3 * 8 + j];
+            const real t4 = offset_x * cos_r[j];
+            const real arm_x = d_x + t3 - t4;
+            const real c_y = x[4 * 8 + j];
+            const real d_y = t1 - c_y;
+            const real t5 = offset_y * cos_r[j];
+            const real t6 = offset_x * sin_r[j];
+            const real arm_y = d_y - t5 - t6;
+            const real distance = real_sqrt(arm_x * arm_x + arm_y * arm_y);
+            const real t7 = 1.0 / distance;
+            const real sigma_gap = sigma[0 * 8 + j];
+            const real t8 = t7 * sigma_gap;
+            const real tau_tangential = tau[0 * 8 + j];
+            const real t9 = t7 * tau_tangential;
+            const real p_fx = arm_x * t8 - arm_y * t9;
+            force[0 * 8 + j] = -p_fx;
+            const real p_fy = arm_y * t8 + arm_x * t9;
+            force[1 * 8 + j] = -p_fy;
+            origin[0 * 8 + j] = c_x + t4 - t3;
+            origin[1 * 8 + j] = c_y + t6 + t5;
+            axes[2 * 8 + j] = -sin_r[j]; /* axes(1,0) */
+            axes_ball[2 * 8 + j] = -sin_b[j]; /* axes_ball(1,0) */
+        }
+    }
+}
+
 const flexel_element flexel_planar_disc_circle = {
     .name = "planar_disc_circle",
-    .digest = "a438e5800b6368e4",
+    .digest = "0ba88eba3b1818c7",
     .n = 6,
     .m = 1,
     .k = 1,
@@ -598,4 +676,5 @@ const flexel_element flexel_planar_disc_circle = {
     .rates = planar_disc_circle_rates,
     .kinematics = planar_disc_circle_kinematics,
     .stiffness = planar_disc_circle_stiffness,
+    .outputs = planar_disc_circle_outputs,
 };

@@ -5,6 +5,8 @@
  * w = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body
  * turn = angular velocity of the disc relative to the surface
  * gap = ey.(x - xc) - offset_y - sphere_radius,  tangential = ex.w + sphere_radius turn
+ * place: x, force: on what touches, origin: of the surface, in global axes;  axes: its directions in rows
+ * axes_ball: axes of the body of what touches, in rows
  *
  * Source: planar counterpart of contact in space
  *
@@ -347,36 +349,98 @@ static void planar_disc_line_stiffness(size_t nblocks, const real *const *in, re
             const real t1 = cos_r[j] * sigma_gap;
             const real tau_tangential = tau[0 * 8 + j];
             const real t2 = sin_r[j] * tau_tangential;
-            const real t3 = t1 + t2;
-            K[4 * 8 + j] = K[9 * 8 + j] = t3; /* K(3,5) K(5,3) */
-            K[0 * 8 + j] = K[6 * 8 + j] = -t3; /* K(0,5) K(5,0) */
-            const real t4 = cos_r[j] * tau_tangential;
-            const real t5 = sin_r[j] * sigma_gap;
-            const real t6 = t4 - t5;
-            K[1 * 8 + j] = K[7 * 8 + j] = t6; /* K(1,5) K(5,1) */
+            const real p_fy = t1 + t2;
+            K[4 * 8 + j] = K[9 * 8 + j] = p_fy; /* K(3,5) K(5,3) */
+            K[0 * 8 + j] = K[6 * 8 + j] = -p_fy; /* K(0,5) K(5,0) */
+            const real t3 = cos_r[j] * tau_tangential;
+            const real t4 = sin_r[j] * sigma_gap;
+            const real p_fx = t3 - t4;
+            K[1 * 8 + j] = K[7 * 8 + j] = p_fx; /* K(1,5) K(5,1) */
             const real centre_x = p[0 * 8 + j];
             const real centre_y = p[1 * 8 + j];
             const real centre_arm_x = centre_x * cos_b[j] - centre_y * sin_b[j];
-            const real t7 = sin_b[j] * (centre_x * t1 + centre_y * t5) + cos_b[j] * (centre_y * t1 - centre_x * t5);
+            const real t5 = sin_b[j] * (centre_x * t1 + centre_y * t4) + cos_b[j] * (centre_y * t1 - centre_x * t4);
             const real centre_arm_y = centre_x * sin_b[j] + centre_y * cos_b[j];
-            const real t8 = t7 + centre_arm_y * t2 + centre_arm_x * t4;
-            K[3 * 8 + j] = K[8 * 8 + j] = t8; /* K(2,5) K(5,2) */
-            K[2 * 8 + j] = -t8; /* K(2,2) */
-            K[5 * 8 + j] = K[10 * 8 + j] = -t6; /* K(4,5) K(5,4) */
+            const real t6 = t5 + centre_arm_y * t2 + centre_arm_x * t3;
+            K[3 * 8 + j] = K[8 * 8 + j] = t6; /* K(2,5) K(5,2) */
+            K[2 * 8 + j] = -t6; /* K(2,2) */
+            K[5 * 8 + j] = K[10 * 8 + j] = -p_fx; /* K(4,5) K(5,4) */
             const real p_x = x[0 * 8 + j];
             const real c_x = x[3 * 8 + j];
             const real d_x = p_x + centre_arm_x - c_x;
             const real p_y = x[1 * 8 + j];
             const real c_y = x[4 * 8 + j];
             const real d_y = p_y + centre_arm_y - c_y;
-            K[11 * 8 + j] = -(d_x * t6 + d_y * t3); /* K(5,5) */
+            K[11 * 8 + j] = -(d_x * p_fx + d_y * p_fy); /* K(5,5) */
+        }
+    }
+}
+
+/* outputs: 31 operations.
+ * in:  x (6), sigma (1), tau (1), p (6)
+ * out: place (2), force (2), origin (2), axes (2,2), axes_ball (2,2) */
+FLEXEL_CLONES
+static void planar_disc_line_outputs(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (6 * 8);
+        const real *restrict sigma = in[1] + b * (1 * 8);
+        const real *restrict tau = in[2] + b * (1 * 8);
+        const real *restrict p = in[3] + b * (6 * 8);
+        real *restrict place = out[0] + b * (2 * 8);
+        real *restrict force = out[1] + b * (2 * 8);
+        real *restrict origin = out[2] + b * (2 * 8);
+        real *restrict axes = out[3] + b * (4 * 8);
+        real *restrict axes_ball = out[4] + b * (4 * 8);
+        real cos_b[8], sin_b[8], t0[8], cos_r[8], sin_r[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real r_angle = x[5 * 8 + j];
+            const real alpha0 = p[2 * 8 + j];
+            t0[j] = r_angle + alpha0;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            const real b_angle = x[2 * 8 + j];
+            cos_b[j] = real_cos(b_angle);
+            axes_ball[0 * 8 + j] = axes_ball[3 * 8 + j] = cos_b[j]; /* axes_ball(0,0) axes_ball(1,1) */
+            sin_b[j] = real_sin(b_angle);
+            axes_ball[1 * 8 + j] = sin_b[j]; /* axes_ball(0,1) */
+            cos_r[j] = real_cos(t0[j]);
+            axes[0 * 8 + j] = axes[3 * 8 + j] = cos_r[j]; /* axes(0,0) axes(1,1) */
+            sin_r[j] = real_sin(t0[j]);
+            axes[1 * 8 + j] = sin_r[j]; /* axes(0,1) */
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real centre_x = p[0 * 8 + j];
+            const real centre_y = p[1 * 8 + j];
+            const real centre_arm_x = centre_x * cos_b[j] - centre_y * sin_b[j];
+            const real p_x = x[0 * 8 + j];
+            place[0 * 8 + j] = p_x + centre_arm_x;
+            const real centre_arm_y = centre_x * sin_b[j] + centre_y * cos_b[j];
+            const real p_y = x[1 * 8 + j];
+            place[1 * 8 + j] = p_y + centre_arm_y;
+            const real tau_tangential = tau[0 * 8 + j];
+            const real sigma_gap = sigma[0 * 8 + j];
+            const real p_fx = cos_r[j] * tau_tangential - sin_r[j] * sigma_gap;
+            force[0 * 8 + j] = -p_fx;
+            const real p_fy = cos_r[j] * sigma_gap + sin_r[j] * tau_tangential;
+            force[1 * 8 + j] = -p_fy;
+            const real offset_x = p[3 * 8 + j];
+            const real c_x = x[3 * 8 + j];
+            const real offset_y = p[4 * 8 + j];
+            origin[0 * 8 + j] = c_x + offset_x * cos_r[j] - offset_y * sin_r[j];
+            const real c_y = x[4 * 8 + j];
+            origin[1 * 8 + j] = c_y + offset_x * sin_r[j] + offset_y * cos_r[j];
+            axes[2 * 8 + j] = -sin_r[j]; /* axes(1,0) */
+            axes_ball[2 * 8 + j] = -sin_b[j]; /* axes_ball(1,0) */
         }
     }
 }
 
 const flexel_element flexel_planar_disc_line = {
     .name = "planar_disc_line",
-    .digest = "7bf2432e198599f0",
+    .digest = "dcef7379ea005818",
     .n = 6,
     .m = 1,
     .k = 1,
@@ -386,4 +450,5 @@ const flexel_element flexel_planar_disc_line = {
     .rates = planar_disc_line_rates,
     .kinematics = planar_disc_line_kinematics,
     .stiffness = planar_disc_line_stiffness,
+    .outputs = planar_disc_line_outputs,
 };

@@ -3,6 +3,7 @@
  * d = xq - xp, psi its angle counted from offset0, period 2 pi
  * mesh = (radius_p angle_p + radius_q angle_q)/(radius_p + radius_q) - psi, an angle, so that any number
  * of turns of the line of centres can be counted; (radius_p + radius_q) mesh is the displacement of the teeth
+ * origin_p, axes_p, origin_q, axes_q: frames of both wheels at xp and xq, the axes in rows
  *
  * Source: rolling of the pitch circles, radius_p (angle_p - psi) + radius_q (angle_q - psi) = const; UT SPACAR, GEAR
  *
@@ -308,9 +309,51 @@ static void planar_gear_stiffness(size_t nblocks, const real *const *in, real *c
     }
 }
 
+/* outputs: 6 operations.
+ * in:  x (6), sigma (1), tau (0), p (3)
+ * out: origin_p (2), axes_p (2,2), origin_q (2), axes_q (2,2) */
+FLEXEL_CLONES
+static void planar_gear_outputs(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (6 * 8);
+        real *restrict origin_p = out[0] + b * (2 * 8);
+        real *restrict axes_p = out[1] + b * (4 * 8);
+        real *restrict origin_q = out[2] + b * (2 * 8);
+        real *restrict axes_q = out[3] + b * (4 * 8);
+        real t0[8], t1[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real p_x = x[0 * 8 + j];
+            origin_p[0 * 8 + j] = p_x;
+            const real p_y = x[1 * 8 + j];
+            origin_p[1 * 8 + j] = p_y;
+            const real q_x = x[3 * 8 + j];
+            origin_q[0 * 8 + j] = q_x;
+            const real q_y = x[4 * 8 + j];
+            origin_q[1 * 8 + j] = q_y;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            const real rp_angle = x[2 * 8 + j];
+            axes_p[0 * 8 + j] = axes_p[3 * 8 + j] = real_cos(rp_angle); /* axes_p(0,0) axes_p(1,1) */
+            t0[j] = real_sin(rp_angle);
+            axes_p[1 * 8 + j] = t0[j]; /* axes_p(0,1) */
+            const real rq_angle = x[5 * 8 + j];
+            axes_q[0 * 8 + j] = axes_q[3 * 8 + j] = real_cos(rq_angle); /* axes_q(0,0) axes_q(1,1) */
+            t1[j] = real_sin(rq_angle);
+            axes_q[1 * 8 + j] = t1[j]; /* axes_q(0,1) */
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            axes_p[2 * 8 + j] = -t0[j]; /* axes_p(1,0) */
+            axes_q[2 * 8 + j] = -t1[j]; /* axes_q(1,0) */
+        }
+    }
+}
+
 const flexel_element flexel_planar_gear = {
     .name = "planar_gear",
-    .digest = "4973d6eac5494df8",
+    .digest = "9fe4207fe265122d",
     .n = 6,
     .m = 1,
     .k = 0,
@@ -320,4 +363,5 @@ const flexel_element flexel_planar_gear = {
     .rates = planar_gear_rates,
     .kinematics = planar_gear_kinematics,
     .stiffness = planar_gear_stiffness,
+    .outputs = planar_gear_outputs,
 };

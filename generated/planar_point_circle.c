@@ -5,6 +5,7 @@
  * w = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body
  * a = x - xc - offset_x ex - offset_y ey
  * gap = |a| - radius - sphere_radius,  tangential = (ax wy - ay wx)/|a|, counterclockwise
+ * place: x, force: on what touches, origin: of the surface, in global axes;  axes: its directions in rows
  *
  * Source: planar counterpart of contact in space
  *
@@ -466,9 +467,74 @@ static void planar_point_circle_stiffness(size_t nblocks, const real *const *in,
     }
 }
 
+/* outputs: 33 operations.
+ * in:  x (5), sigma (1), tau (1), p (5)
+ * out: place (2), force (2), origin (2), axes (2,2) */
+FLEXEL_CLONES
+static void planar_point_circle_outputs(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (5 * 8);
+        const real *restrict sigma = in[1] + b * (1 * 8);
+        const real *restrict tau = in[2] + b * (1 * 8);
+        const real *restrict p = in[3] + b * (5 * 8);
+        real *restrict place = out[0] + b * (2 * 8);
+        real *restrict force = out[1] + b * (2 * 8);
+        real *restrict origin = out[2] + b * (2 * 8);
+        real *restrict axes = out[3] + b * (4 * 8);
+        real d_x[8], t0[8], sin_r[8], cos_r[8], d_y[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real p_x = x[0 * 8 + j];
+            place[0 * 8 + j] = p_x;
+            const real p_y = x[1 * 8 + j];
+            place[1 * 8 + j] = p_y;
+            const real c_x = x[2 * 8 + j];
+            d_x[j] = p_x - c_x;
+            const real r_angle = x[4 * 8 + j];
+            const real alpha0 = p[0 * 8 + j];
+            t0[j] = r_angle + alpha0;
+            const real c_y = x[3 * 8 + j];
+            d_y[j] = p_y - c_y;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            sin_r[j] = real_sin(t0[j]);
+            axes[1 * 8 + j] = sin_r[j]; /* axes(0,1) */
+            cos_r[j] = real_cos(t0[j]);
+            axes[0 * 8 + j] = axes[3 * 8 + j] = cos_r[j]; /* axes(0,0) axes(1,1) */
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real offset_y = p[2 * 8 + j];
+            const real t1 = offset_y * sin_r[j];
+            const real offset_x = p[1 * 8 + j];
+            const real t2 = offset_x * cos_r[j];
+            const real arm_x = d_x[j] + t1 - t2;
+            const real t3 = offset_y * cos_r[j];
+            const real t4 = offset_x * sin_r[j];
+            const real arm_y = d_y[j] - t3 - t4;
+            const real distance = real_sqrt(arm_x * arm_x + arm_y * arm_y);
+            const real t5 = 1.0 / distance;
+            const real sigma_gap = sigma[0 * 8 + j];
+            const real t6 = t5 * sigma_gap;
+            const real tau_tangential = tau[0 * 8 + j];
+            const real t7 = t5 * tau_tangential;
+            const real p_fx = arm_x * t6 - arm_y * t7;
+            force[0 * 8 + j] = -p_fx;
+            const real p_fy = arm_y * t6 + arm_x * t7;
+            force[1 * 8 + j] = -p_fy;
+            const real c_x = x[2 * 8 + j];
+            origin[0 * 8 + j] = c_x + t2 - t1;
+            const real c_y = x[3 * 8 + j];
+            origin[1 * 8 + j] = c_y + t4 + t3;
+            axes[2 * 8 + j] = -sin_r[j]; /* axes(1,0) */
+        }
+    }
+}
+
 const flexel_element flexel_planar_point_circle = {
     .name = "planar_point_circle",
-    .digest = "2000ee11fbe20752",
+    .digest = "c54e052906f0b4d4",
     .n = 5,
     .m = 1,
     .k = 1,
@@ -478,4 +544,5 @@ const flexel_element flexel_planar_point_circle = {
     .rates = planar_point_circle_rates,
     .kinematics = planar_point_circle_kinematics,
     .stiffness = planar_point_circle_stiffness,
+    .outputs = planar_point_circle_outputs,
 };

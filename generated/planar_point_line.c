@@ -4,6 +4,7 @@
  * ex, ey: directions at angle + alpha0
  * w = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body
  * gap = ey.(x - xc) - offset_y - sphere_radius,  tangential = ex.w
+ * place: x, force: on what touches, origin: of the surface, in global axes;  axes: its directions in rows
  *
  * Source: planar counterpart of contact in space
  *
@@ -279,20 +280,71 @@ static void planar_point_line_stiffness(size_t nblocks, const real *const *in, r
         for (size_t j = 0; j < 8; j++) {
             const real sigma_gap = sigma[0 * 8 + j];
             const real tau_tangential = tau[0 * 8 + j];
-            const real t1 = cos_r[j] * sigma_gap + sin_r[j] * tau_tangential;
-            K[2 * 8 + j] = K[6 * 8 + j] = t1; /* K(2,4) K(4,2) */
-            K[0 * 8 + j] = K[4 * 8 + j] = -t1; /* K(0,4) K(4,0) */
-            const real t2 = cos_r[j] * tau_tangential - sin_r[j] * sigma_gap;
-            K[1 * 8 + j] = K[5 * 8 + j] = t2; /* K(1,4) K(4,1) */
-            K[3 * 8 + j] = K[7 * 8 + j] = -t2; /* K(3,4) K(4,3) */
-            K[8 * 8 + j] = -(d_x[j] * t2 + d_y[j] * t1); /* K(4,4) */
+            const real p_fy = cos_r[j] * sigma_gap + sin_r[j] * tau_tangential;
+            K[2 * 8 + j] = K[6 * 8 + j] = p_fy; /* K(2,4) K(4,2) */
+            K[0 * 8 + j] = K[4 * 8 + j] = -p_fy; /* K(0,4) K(4,0) */
+            const real p_fx = cos_r[j] * tau_tangential - sin_r[j] * sigma_gap;
+            K[1 * 8 + j] = K[5 * 8 + j] = p_fx; /* K(1,4) K(4,1) */
+            K[3 * 8 + j] = K[7 * 8 + j] = -p_fx; /* K(3,4) K(4,3) */
+            K[8 * 8 + j] = -(d_x[j] * p_fx + d_y[j] * p_fy); /* K(4,4) */
+        }
+    }
+}
+
+/* outputs: 20 operations.
+ * in:  x (5), sigma (1), tau (1), p (4)
+ * out: place (2), force (2), origin (2), axes (2,2) */
+FLEXEL_CLONES
+static void planar_point_line_outputs(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (5 * 8);
+        const real *restrict sigma = in[1] + b * (1 * 8);
+        const real *restrict tau = in[2] + b * (1 * 8);
+        const real *restrict p = in[3] + b * (4 * 8);
+        real *restrict place = out[0] + b * (2 * 8);
+        real *restrict force = out[1] + b * (2 * 8);
+        real *restrict origin = out[2] + b * (2 * 8);
+        real *restrict axes = out[3] + b * (4 * 8);
+        real t0[8], cos_r[8], sin_r[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real p_x = x[0 * 8 + j];
+            place[0 * 8 + j] = p_x;
+            const real p_y = x[1 * 8 + j];
+            place[1 * 8 + j] = p_y;
+            const real r_angle = x[4 * 8 + j];
+            const real alpha0 = p[0 * 8 + j];
+            t0[j] = r_angle + alpha0;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            cos_r[j] = real_cos(t0[j]);
+            axes[0 * 8 + j] = axes[3 * 8 + j] = cos_r[j]; /* axes(0,0) axes(1,1) */
+            sin_r[j] = real_sin(t0[j]);
+            axes[1 * 8 + j] = sin_r[j]; /* axes(0,1) */
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real tau_tangential = tau[0 * 8 + j];
+            const real sigma_gap = sigma[0 * 8 + j];
+            const real p_fx = cos_r[j] * tau_tangential - sin_r[j] * sigma_gap;
+            force[0 * 8 + j] = -p_fx;
+            const real p_fy = cos_r[j] * sigma_gap + sin_r[j] * tau_tangential;
+            force[1 * 8 + j] = -p_fy;
+            const real offset_x = p[1 * 8 + j];
+            const real c_x = x[2 * 8 + j];
+            const real offset_y = p[2 * 8 + j];
+            origin[0 * 8 + j] = c_x + offset_x * cos_r[j] - offset_y * sin_r[j];
+            const real c_y = x[3 * 8 + j];
+            origin[1 * 8 + j] = c_y + offset_x * sin_r[j] + offset_y * cos_r[j];
+            axes[2 * 8 + j] = -sin_r[j]; /* axes(1,0) */
         }
     }
 }
 
 const flexel_element flexel_planar_point_line = {
     .name = "planar_point_line",
-    .digest = "f82158ebcc6ce509",
+    .digest = "13e92c3358685f5a",
     .n = 5,
     .m = 1,
     .k = 1,
@@ -302,4 +354,5 @@ const flexel_element flexel_planar_point_line = {
     .rates = planar_point_line_rates,
     .kinematics = planar_point_line_kinematics,
     .stiffness = planar_point_line_stiffness,
+    .outputs = planar_point_line_outputs,
 };

@@ -2,6 +2,7 @@
  *
  * T = mass v.v/2
  * U = -mass gravity.x
+ * place: x
  *
  * Source: textbook mechanics
  *
@@ -49,13 +50,33 @@ static void planar_point_mass_tangent(size_t nblocks, const real *const *in, rea
     (void)nblocks, (void)in, (void)out; /* every entry is zero */
 }
 
+/* outputs: 0 operations.
+ * in:  x (2), sigma (0), tau (0), p (3)
+ * out: place (2) */
+FLEXEL_CLONES
+static void planar_point_mass_outputs(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (2 * 8);
+        real *restrict place = out[0] + b * (2 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real p_x = x[0 * 8 + j];
+            place[0 * 8 + j] = p_x;
+            const real p_y = x[1 * 8 + j];
+            place[1 * 8 + j] = p_y;
+        }
+    }
+}
+
 const flexel_element flexel_planar_point_mass = {
     .name = "planar_point_mass",
-    .digest = "3422bb7cc702242c",
+    .digest = "bde70fc4ce29a2a0",
     .n = 2,
     .m = 0,
     .k = 0,
     .np = 3,
     .inertia = planar_point_mass_inertia,
     .tangent = planar_point_mass_tangent,
+    .outputs = planar_point_mass_outputs,
 };

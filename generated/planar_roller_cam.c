@@ -4,6 +4,8 @@
  * u = 48 theta/(2 pi), between i and i + 1; t = u - i
  * outline = sum over j = 0 ... 5 of control[(i + j - 2) mod 48] B_j(t), uniform B-splines of degree five
  * gap = r - outline
+ * profile: places outline (cos theta, sin theta) at the knots;  mark: from the centre to its start
+ * origin: xp, axes: ex, ey (angle_p + alpha0) in rows: the frame that carries what a picture shows
  *
  * Source: pitch curve of a radial cam; de Boor 1978, A Practical Guide to Splines
  *
@@ -1899,9 +1901,386 @@ static void planar_roller_cam_stiffness(size_t nblocks, const real *const *in, r
     }
 }
 
+/* outputs: 585 operations.
+ * in:  x (5), sigma (1), tau (0), p (49)
+ * out: profile (49,2), 93 of 98 entries, mark (2,2), 1 of 4 entries, origin (2), axes (2,2) */
+FLEXEL_CLONES
+static void planar_roller_cam_outputs(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (5 * 8);
+        const real *restrict p = in[3] + b * (49 * 8);
+        real *restrict profile = out[0] + b * (93 * 8);
+        real *restrict mark = out[1] + b * (1 * 8);
+        real *restrict origin = out[2] + b * (2 * 8);
+        real *restrict axes = out[3] + b * (4 * 8);
+        real t139[8], sin_p[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real control_2 = p[3 * 8 + j];
+            const real control_46 = p[47 * 8 + j];
+            const real control_0 = p[1 * 8 + j];
+            const real control_1 = p[2 * 8 + j];
+            const real control_47 = p[48 * 8 + j];
+            const real t0 = 0.55 * control_0 + 0.21666666666666667 * (control_1 + control_47);
+            profile[0 * 8 + j] = profile[92 * 8 + j] = mark[0 * 8 + j] = 0.008333333333333333 * (control_2
+                + control_46) + t0; /* profile(0,0) profile(48,0) mark(1,0) */
+            const real control_3 = p[4 * 8 + j];
+            const real t1 = control_3 + control_47;
+            const real t2 = control_0 + control_2;
+            const real t3 = 0.5452946737555957 * control_1 + 0.21481305329765893 * t2;
+            profile[1 * 8 + j] = 0.00826204051144842 * t1 + t3; /* profile(1,0) */
+            const real t4 = 0.07178940572102838 * control_1 + 0.028280674981011177 * t2;
+            profile[2 * 8 + j] = 0.00108771826850043 * t1 + t4; /* profile(1,1) */
+            const real control_4 = p[5 * 8 + j];
+            const real t5 = control_0 + control_4;
+            const real t6 = control_1 + control_3;
+            profile[3 * 8 + j] = 0.008049381885742236 * t5 + 0.20928392902929813 * t6 + 0.5312592044589876
+                * control_2; /* profile(2,0) */
+            profile[4 * 8 + j] = 0.0021568253758543396 * t5 + 0.05607745977221283 * t6 + 0.1423504748063864
+                * control_2; /* profile(2,1) */
+            const real control_5 = p[6 * 8 + j];
+            const real t7 = control_1 + control_5;
+            const real t8 = control_2 + control_4;
+            profile[5 * 8 + j] = 0.007698996104260723 * t7 + 0.20017389871077879 * t8 + 0.5081337428812077
+                * control_3; /* profile(3,0) */
+            profile[6 * 8 + j] = 0.0031890286030424146 * t7 + 0.08291474367910279 * t8 + 0.21047588780079937
+                * control_3; /* profile(3,1) */
+            const real control_6 = p[7 * 8 + j];
+            const real t9 = control_2 + control_6;
+            const real t10 = control_3 + control_5;
+            profile[7 * 8 + j] = 0.007216878364870322 * t9 + 0.18763883748662838 * t10 + 0.4763139720814413
+                * control_4; /* profile(4,0) */
+            profile[8 * 8 + j] = 0.004166666666666667 * t9 + 0.10833333333333334 * t10 + 0.275 * control_4;
+                /* profile(4,1) */
+            const real control_7 = p[8 * 8 + j];
+            const real t11 = control_3 + control_7;
+            const real t12 = control_4 + control_6;
+            profile[9 * 8 + j] = 0.006611277835760293 * t11 + 0.17189322372976762 * t12 + 0.43634433716017934
+                * control_5; /* profile(5,0) */
+            profile[10 * 8 + j] = 0.0050730119084060055 * t11 + 0.13189830961855614 * t12 + 0.33481878595479636
+                * control_5; /* profile(5,1) */
+            const real control_8 = p[9 * 8 + j];
+            const real t13 = 0.005892556509887896 * (control_4 + control_8) + 0.1532064692570853 * (control_5
+                + control_7);
+            profile[11 * 8 + j] = profile[12 * 8 + j] = 0.38890872965260115 * control_6 + t13;
+                /* profile(6,0) profile(6,1) */
+            const real control_9 = p[10 * 8 + j];
+            const real t14 = control_5 + control_9;
+            const real t15 = control_6 + control_8;
+            profile[13 * 8 + j] = 0.0050730119084060055 * t14 + 0.13189830961855614 * t15 + 0.33481878595479636
+                * control_7; /* profile(7,0) */
+            profile[14 * 8 + j] = 0.006611277835760293 * t14 + 0.17189322372976762 * t15 + 0.43634433716017934
+                * control_7; /* profile(7,1) */
+            const real control_10 = p[11 * 8 + j];
+            const real t16 = control_6 + control_10;
+            const real t17 = control_7 + control_9;
+            profile[15 * 8 + j] = 0.004166666666666667 * t16 + 0.10833333333333334 * t17 + 0.275 * control_8;
+                /* profile(8,0) */
+            profile[16 * 8 + j] = 0.007216878364870322 * t16 + 0.18763883748662838 * t17 + 0.4763139720814413
+                * control_8; /* profile(8,1) */
+            const real t18 = control_8 + control_10;
+            const real control_11 = p[12 * 8 + j];
+            const real t19 = control_7 + control_11;
+            profile[17 * 8 + j] = 0.08291474367910279 * t18 + 0.0031890286030424146 * t19 + 0.21047588780079937
+                * control_9; /* profile(9,0) */
+            profile[18 * 8 + j] = 0.20017389871077879 * t18 + 0.007698996104260723 * t19 + 0.5081337428812077
+                * control_9; /* profile(9,1) */
+            const real control_12 = p[13 * 8 + j];
+            const real t20 = control_8 + control_12;
+            const real t21 = control_9 + control_11;
+            const real t22 = 0.1423504748063864 * control_10 + 0.05607745977221283 * t21;
+            profile[19 * 8 + j] = 0.0021568253758543396 * t20 + t22; /* profile(10,0) */
+            const real t23 = 0.5312592044589876 * control_10 + 0.20928392902929813 * t21;
+            profile[20 * 8 + j] = 0.008049381885742236 * t20 + t23; /* profile(10,1) */
+            const real control_13 = p[14 * 8 + j];
+            const real t24 = control_9 + control_13;
+            const real t25 = control_10 + control_12;
+            const real t26 = 0.07178940572102838 * control_11 + 0.028280674981011177 * t25;
+            profile[21 * 8 + j] = 0.00108771826850043 * t24 + t26; /* profile(11,0) */
+            const real t27 = 0.5452946737555957 * control_11 + 0.21481305329765893 * t25;
+            profile[22 * 8 + j] = 0.00826204051144842 * t24 + t27; /* profile(11,1) */
+            const real control_14 = p[15 * 8 + j];
+            const real t28 = 0.008333333333333333 * (control_10 + control_14) + 0.21666666666666667 * (control_11
+                + control_13);
+            profile[23 * 8 + j] = 0.55 * control_12 + t28; /* profile(12,1) */
+            const real control_15 = p[16 * 8 + j];
+            const real t29 = control_11 + control_15;
+            const real t30 = control_12 + control_14;
+            const real t31 = 0.00108771826850043 * t29 + 0.028280674981011177 * t30 + 0.07178940572102838
+                * control_13;
+            profile[24 * 8 + j] = -t31; /* profile(13,0) */
+            profile[25 * 8 + j] = 0.00826204051144842 * t29 + 0.21481305329765893 * t30 + 0.5452946737555957
+                * control_13; /* profile(13,1) */
+            const real control_16 = p[17 * 8 + j];
+            const real t32 = control_12 + control_16;
+            const real t33 = control_13 + control_15;
+            const real t34 = 0.0021568253758543396 * t32 + 0.05607745977221283 * t33 + 0.1423504748063864
+                * control_14;
+            profile[26 * 8 + j] = -t34; /* profile(14,0) */
+            profile[27 * 8 + j] = 0.008049381885742236 * t32 + 0.20928392902929813 * t33 + 0.5312592044589876
+                * control_14; /* profile(14,1) */
+            const real control_17 = p[18 * 8 + j];
+            const real t35 = control_13 + control_17;
+            const real t36 = control_14 + control_16;
+            const real t37 = 0.0031890286030424146 * t35 + 0.08291474367910279 * t36 + 0.21047588780079937
+                * control_15;
+            profile[28 * 8 + j] = -t37; /* profile(15,0) */
+            profile[29 * 8 + j] = 0.007698996104260723 * t35 + 0.20017389871077879 * t36 + 0.5081337428812077
+                * control_15; /* profile(15,1) */
+            const real control_18 = p[19 * 8 + j];
+            const real t38 = control_14 + control_18;
+            const real t39 = control_15 + control_17;
+            const real t40 = 0.004166666666666667 * t38 + 0.10833333333333334 * t39 + 0.275 * control_16;
+            profile[30 * 8 + j] = -t40; /* profile(16,0) */
+            profile[31 * 8 + j] = 0.007216878364870322 * t38 + 0.18763883748662838 * t39 + 0.4763139720814413
+                * control_16; /* profile(16,1) */
+            const real control_19 = p[20 * 8 + j];
+            const real t41 = control_15 + control_19;
+            const real t42 = control_16 + control_18;
+            const real t43 = 0.0050730119084060055 * t41 + 0.13189830961855614 * t42 + 0.33481878595479636
+                * control_17;
+            profile[32 * 8 + j] = -t43; /* profile(17,0) */
+            profile[33 * 8 + j] = 0.006611277835760293 * t41 + 0.17189322372976762 * t42 + 0.43634433716017934
+                * control_17; /* profile(17,1) */
+            const real control_20 = p[21 * 8 + j];
+            const real t44 = 0.005892556509887896 * (control_16 + control_20) + 0.1532064692570853 * (control_17
+                + control_19);
+            const real t45 = 0.38890872965260115 * control_18 + t44;
+            profile[35 * 8 + j] = t45; /* profile(18,1) */
+            profile[34 * 8 + j] = -t45; /* profile(18,0) */
+            const real control_21 = p[22 * 8 + j];
+            const real t46 = control_17 + control_21;
+            const real t47 = control_18 + control_20;
+            const real t48 = 0.006611277835760293 * t46 + 0.17189322372976762 * t47 + 0.43634433716017934
+                * control_19;
+            profile[36 * 8 + j] = -t48; /* profile(19,0) */
+            profile[37 * 8 + j] = 0.0050730119084060055 * t46 + 0.13189830961855614 * t47 + 0.33481878595479636
+                * control_19; /* profile(19,1) */
+            const real control_22 = p[23 * 8 + j];
+            const real t49 = control_18 + control_22;
+            const real t50 = control_19 + control_21;
+            const real t51 = 0.007216878364870322 * t49 + 0.18763883748662838 * t50 + 0.4763139720814413 * control_20;
+            profile[38 * 8 + j] = -t51; /* profile(20,0) */
+            profile[39 * 8 + j] = 0.004166666666666667 * t49 + 0.10833333333333334 * t50 + 0.275 * control_20;
+                /* profile(20,1) */
+            const real control_23 = p[24 * 8 + j];
+            const real t52 = control_19 + control_23;
+            const real t53 = control_20 + control_22;
+            const real t54 = 0.007698996104260723 * t52 + 0.20017389871077879 * t53 + 0.5081337428812077 * control_21;
+            profile[40 * 8 + j] = -t54; /* profile(21,0) */
+            profile[41 * 8 + j] = 0.0031890286030424146 * t52 + 0.08291474367910279 * t53 + 0.21047588780079937
+                * control_21; /* profile(21,1) */
+            const real control_24 = p[25 * 8 + j];
+            const real t55 = control_20 + control_24;
+            const real t56 = control_21 + control_23;
+            const real t57 = 0.008049381885742236 * t55 + 0.20928392902929813 * t56 + 0.5312592044589876 * control_22;
+            profile[42 * 8 + j] = -t57; /* profile(22,0) */
+            profile[43 * 8 + j] = 0.0021568253758543396 * t55 + 0.05607745977221283 * t56 + 0.1423504748063864
+                * control_22; /* profile(22,1) */
+            const real control_25 = p[26 * 8 + j];
+            const real t58 = control_21 + control_25;
+            const real t59 = control_22 + control_24;
+            const real t60 = 0.00826204051144842 * t58 + 0.21481305329765893 * t59 + 0.5452946737555957 * control_23;
+            profile[44 * 8 + j] = -t60; /* profile(23,0) */
+            profile[45 * 8 + j] = 0.00108771826850043 * t58 + 0.028280674981011177 * t59 + 0.07178940572102838
+                * control_23; /* profile(23,1) */
+            const real control_26 = p[27 * 8 + j];
+            const real t61 = 0.008333333333333333 * (control_22 + control_26) + 0.21666666666666667 * (control_23
+                + control_25);
+            profile[46 * 8 + j] = -(0.55 * control_24 + t61); /* profile(24,0) */
+            const real control_27 = p[28 * 8 + j];
+            const real t62 = control_23 + control_27;
+            const real t63 = control_24 + control_26;
+            const real t64 = 0.00826204051144842 * t62 + 0.21481305329765893 * t63 + 0.5452946737555957 * control_25;
+            profile[47 * 8 + j] = -t64; /* profile(25,0) */
+            const real t65 = 0.00108771826850043 * t62 + 0.028280674981011177 * t63 + 0.07178940572102838
+                * control_25;
+            profile[48 * 8 + j] = -t65; /* profile(25,1) */
+            const real control_28 = p[29 * 8 + j];
+            const real t66 = control_24 + control_28;
+            const real t67 = control_25 + control_27;
+            const real t68 = 0.008049381885742236 * t66 + 0.20928392902929813 * t67 + 0.5312592044589876 * control_26;
+            profile[49 * 8 + j] = -t68; /* profile(26,0) */
+            const real t69 = 0.0021568253758543396 * t66 + 0.05607745977221283 * t67 + 0.1423504748063864
+                * control_26;
+            profile[50 * 8 + j] = -t69; /* profile(26,1) */
+            const real control_29 = p[30 * 8 + j];
+            const real t70 = control_25 + control_29;
+            const real t71 = control_26 + control_28;
+            const real t72 = 0.007698996104260723 * t70 + 0.20017389871077879 * t71 + 0.5081337428812077 * control_27;
+            profile[51 * 8 + j] = -t72; /* profile(27,0) */
+            const real t73 = 0.0031890286030424146 * t70 + 0.08291474367910279 * t71 + 0.21047588780079937
+                * control_27;
+            profile[52 * 8 + j] = -t73; /* profile(27,1) */
+            const real control_30 = p[31 * 8 + j];
+            const real t74 = control_26 + control_30;
+            const real t75 = control_27 + control_29;
+            const real t76 = 0.007216878364870322 * t74 + 0.18763883748662838 * t75 + 0.4763139720814413 * control_28;
+            profile[53 * 8 + j] = -t76; /* profile(28,0) */
+            const real t77 = 0.004166666666666667 * t74 + 0.10833333333333334 * t75 + 0.275 * control_28;
+            profile[54 * 8 + j] = -t77; /* profile(28,1) */
+            const real control_31 = p[32 * 8 + j];
+            const real t78 = control_27 + control_31;
+            const real t79 = control_28 + control_30;
+            const real t80 = 0.006611277835760293 * t78 + 0.17189322372976762 * t79 + 0.43634433716017934
+                * control_29;
+            profile[55 * 8 + j] = -t80; /* profile(29,0) */
+            const real t81 = 0.0050730119084060055 * t78 + 0.13189830961855614 * t79 + 0.33481878595479636
+                * control_29;
+            profile[56 * 8 + j] = -t81; /* profile(29,1) */
+            const real control_32 = p[33 * 8 + j];
+            const real t82 = 0.005892556509887896 * (control_28 + control_32) + 0.1532064692570853 * (control_29
+                + control_31);
+            profile[57 * 8 + j] = profile[58 * 8 + j] = -(0.38890872965260115 * control_30 + t82);
+                /* profile(30,0) profile(30,1) */
+            const real control_33 = p[34 * 8 + j];
+            const real t83 = control_29 + control_33;
+            const real t84 = control_30 + control_32;
+            const real t85 = 0.0050730119084060055 * t83 + 0.13189830961855614 * t84 + 0.33481878595479636
+                * control_31;
+            profile[59 * 8 + j] = -t85; /* profile(31,0) */
+            const real t86 = 0.006611277835760293 * t83 + 0.17189322372976762 * t84 + 0.43634433716017934
+                * control_31;
+            profile[60 * 8 + j] = -t86; /* profile(31,1) */
+            const real control_34 = p[35 * 8 + j];
+            const real t87 = control_30 + control_34;
+            const real t88 = control_31 + control_33;
+            const real t89 = 0.004166666666666667 * t87 + 0.10833333333333334 * t88 + 0.275 * control_32;
+            profile[61 * 8 + j] = -t89; /* profile(32,0) */
+            const real t90 = 0.007216878364870322 * t87 + 0.18763883748662838 * t88 + 0.4763139720814413 * control_32;
+            profile[62 * 8 + j] = -t90; /* profile(32,1) */
+            const real control_35 = p[36 * 8 + j];
+            const real t91 = control_31 + control_35;
+            const real t92 = control_32 + control_34;
+            const real t93 = 0.0031890286030424146 * t91 + 0.08291474367910279 * t92 + 0.21047588780079937
+                * control_33;
+            profile[63 * 8 + j] = -t93; /* profile(33,0) */
+            const real t94 = 0.007698996104260723 * t91 + 0.20017389871077879 * t92 + 0.5081337428812077 * control_33;
+            profile[64 * 8 + j] = -t94; /* profile(33,1) */
+            const real control_36 = p[37 * 8 + j];
+            const real t95 = control_32 + control_36;
+            const real t96 = control_33 + control_35;
+            const real t97 = 0.0021568253758543396 * t95 + 0.05607745977221283 * t96 + 0.1423504748063864
+                * control_34;
+            profile[65 * 8 + j] = -t97; /* profile(34,0) */
+            const real t98 = 0.008049381885742236 * t95 + 0.20928392902929813 * t96 + 0.5312592044589876 * control_34;
+            profile[66 * 8 + j] = -t98; /* profile(34,1) */
+            const real control_37 = p[38 * 8 + j];
+            const real t99 = control_33 + control_37;
+            const real t100 = control_34 + control_36;
+            const real t101 = 0.00108771826850043 * t99 + 0.028280674981011177 * t100 + 0.07178940572102838
+                * control_35;
+            profile[67 * 8 + j] = -t101; /* profile(35,0) */
+            const real t102 = 0.00826204051144842 * t99 + 0.21481305329765893 * t100 + 0.5452946737555957
+                * control_35;
+            profile[68 * 8 + j] = -t102; /* profile(35,1) */
+            const real control_38 = p[39 * 8 + j];
+            const real t103 = 0.008333333333333333 * (control_34 + control_38) + 0.21666666666666667 * (control_35
+                + control_37);
+            profile[69 * 8 + j] = -(0.55 * control_36 + t103); /* profile(36,1) */
+            const real control_39 = p[40 * 8 + j];
+            const real t104 = control_35 + control_39;
+            const real t105 = control_36 + control_38;
+            profile[70 * 8 + j] = 0.00108771826850043 * t104 + 0.028280674981011177 * t105 + 0.07178940572102838
+                * control_37; /* profile(37,0) */
+            const real t106 = 0.00826204051144842 * t104 + 0.21481305329765893 * t105 + 0.5452946737555957
+                * control_37;
+            profile[71 * 8 + j] = -t106; /* profile(37,1) */
+            const real control_40 = p[41 * 8 + j];
+            const real t107 = control_36 + control_40;
+            const real t108 = control_37 + control_39;
+            const real t109 = 0.0021568253758543396 * t107 + 0.05607745977221283 * t108;
+            profile[72 * 8 + j] = 0.1423504748063864 * control_38 + t109; /* profile(38,0) */
+            const real t110 = 0.008049381885742236 * t107 + 0.20928392902929813 * t108 + 0.5312592044589876
+                * control_38;
+            profile[73 * 8 + j] = -t110; /* profile(38,1) */
+            const real control_41 = p[42 * 8 + j];
+            const real t111 = control_37 + control_41;
+            const real t112 = control_38 + control_40;
+            const real t113 = 0.0031890286030424146 * t111 + 0.08291474367910279 * t112;
+            profile[74 * 8 + j] = 0.21047588780079937 * control_39 + t113; /* profile(39,0) */
+            const real t114 = 0.007698996104260723 * t111 + 0.20017389871077879 * t112 + 0.5081337428812077
+                * control_39;
+            profile[75 * 8 + j] = -t114; /* profile(39,1) */
+            const real control_42 = p[43 * 8 + j];
+            const real t115 = control_38 + control_42;
+            const real t116 = control_39 + control_41;
+            profile[76 * 8 + j] = 0.004166666666666667 * t115 + 0.10833333333333334 * t116 + 0.275 * control_40;
+                /* profile(40,0) */
+            const real t117 = 0.007216878364870322 * t115 + 0.18763883748662838 * t116 + 0.4763139720814413
+                * control_40;
+            profile[77 * 8 + j] = -t117; /* profile(40,1) */
+            const real control_43 = p[44 * 8 + j];
+            const real t118 = control_39 + control_43;
+            const real t119 = control_40 + control_42;
+            const real t120 = 0.0050730119084060055 * t118 + 0.13189830961855614 * t119;
+            profile[78 * 8 + j] = 0.33481878595479636 * control_41 + t120; /* profile(41,0) */
+            const real t121 = 0.006611277835760293 * t118 + 0.17189322372976762 * t119 + 0.43634433716017934
+                * control_41;
+            profile[79 * 8 + j] = -t121; /* profile(41,1) */
+            const real control_44 = p[45 * 8 + j];
+            const real t122 = 0.005892556509887896 * (control_40 + control_44) + 0.1532064692570853 * (control_41
+                + control_43);
+            const real t123 = 0.38890872965260115 * control_42 + t122;
+            profile[80 * 8 + j] = t123; /* profile(42,0) */
+            profile[81 * 8 + j] = -t123; /* profile(42,1) */
+            const real control_45 = p[46 * 8 + j];
+            const real t124 = control_41 + control_45;
+            const real t125 = control_42 + control_44;
+            profile[82 * 8 + j] = 0.006611277835760293 * t124 + 0.17189322372976762 * t125 + 0.43634433716017934
+                * control_43; /* profile(43,0) */
+            const real t126 = 0.0050730119084060055 * t124 + 0.13189830961855614 * t125;
+            profile[83 * 8 + j] = -(0.33481878595479636 * control_43 + t126); /* profile(43,1) */
+            const real t127 = control_42 + control_46;
+            const real t128 = control_43 + control_45;
+            profile[84 * 8 + j] = 0.007216878364870322 * t127 + 0.18763883748662838 * t128 + 0.4763139720814413
+                * control_44; /* profile(44,0) */
+            const real t129 = 0.004166666666666667 * t127 + 0.10833333333333334 * t128 + 0.275 * control_44;
+            profile[85 * 8 + j] = -t129; /* profile(44,1) */
+            const real t130 = control_43 + control_47;
+            const real t131 = control_44 + control_46;
+            profile[86 * 8 + j] = 0.007698996104260723 * t130 + 0.20017389871077879 * t131 + 0.5081337428812077
+                * control_45; /* profile(45,0) */
+            const real t132 = 0.0031890286030424146 * t130 + 0.08291474367910279 * t131;
+            profile[87 * 8 + j] = -(0.21047588780079937 * control_45 + t132); /* profile(45,1) */
+            const real t133 = control_0 + control_44;
+            const real t134 = control_45 + control_47;
+            profile[88 * 8 + j] = 0.008049381885742236 * t133 + 0.20928392902929813 * t134 + 0.5312592044589876
+                * control_46; /* profile(46,0) */
+            const real t135 = 0.0021568253758543396 * t133 + 0.05607745977221283 * t134;
+            profile[89 * 8 + j] = -(0.1423504748063864 * control_46 + t135); /* profile(46,1) */
+            const real t136 = control_0 + control_46;
+            const real t137 = control_1 + control_45;
+            profile[90 * 8 + j] = 0.21481305329765893 * t136 + 0.00826204051144842 * t137 + 0.5452946737555957
+                * control_47; /* profile(47,0) */
+            const real t138 = 0.028280674981011177 * t136 + 0.00108771826850043 * t137 + 0.07178940572102838
+                * control_47;
+            profile[91 * 8 + j] = -t138; /* profile(47,1) */
+            const real p_x = x[0 * 8 + j];
+            origin[0 * 8 + j] = p_x;
+            const real p_y = x[1 * 8 + j];
+            origin[1 * 8 + j] = p_y;
+            const real rp_angle = x[2 * 8 + j];
+            const real alpha0 = p[0 * 8 + j];
+            t139[j] = rp_angle + alpha0;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            const real cos_p = real_cos(t139[j]);
+            axes[0 * 8 + j] = axes[3 * 8 + j] = cos_p; /* axes(0,0) axes(1,1) */
+            sin_p[j] = real_sin(t139[j]);
+            axes[1 * 8 + j] = sin_p[j]; /* axes(0,1) */
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            axes[2 * 8 + j] = -sin_p[j]; /* axes(1,0) */
+        }
+    }
+}
+
 const flexel_element flexel_planar_roller_cam = {
     .name = "planar_roller_cam",
-    .digest = "7a0670c019a4279f",
+    .digest = "1eae1ec63a549f72",
     .n = 5,
     .m = 1,
     .k = 0,
@@ -1911,4 +2290,5 @@ const flexel_element flexel_planar_roller_cam = {
     .rates = planar_roller_cam_rates,
     .kinematics = planar_roller_cam_kinematics,
     .stiffness = planar_roller_cam_stiffness,
+    .outputs = planar_roller_cam_outputs,
 };

@@ -1,6 +1,8 @@
 /* planar_skate: kernels of an element. Written by `flexel derive`; do not edit.
  *
  * ex, ey: direction of the blade (angle + alpha0) and its normal;  forward = ex.v,  lateral = ey.v
+ * ahead: ex
+ * origin: x, axes: ex, ey in rows: the frame that carries what a picture shows
  *
  * Source: Chaplygin 1911, sleigh; Neimark and Fufaev 1972, Dynamics of Nonholonomic Systems
  *
@@ -179,15 +181,53 @@ static void planar_skate_stiffness(size_t nblocks, const real *const *in, real *
         for (size_t j = 0; j < 8; j++) {
             const real tau_lateral = tau[1 * 8 + j];
             const real tau_forward = tau[0 * 8 + j];
-            K[0 * 8 + j] = -(cos_r[j] * tau_lateral + sin_r[j] * tau_forward); /* K(0,2) */
-            K[1 * 8 + j] = cos_r[j] * tau_forward - sin_r[j] * tau_lateral; /* K(1,2) */
+            const real p_fy = cos_r[j] * tau_lateral + sin_r[j] * tau_forward;
+            K[0 * 8 + j] = -p_fy; /* K(0,2) */
+            const real p_fx = cos_r[j] * tau_forward - sin_r[j] * tau_lateral;
+            K[1 * 8 + j] = p_fx; /* K(1,2) */
+        }
+    }
+}
+
+/* outputs: 4 operations.
+ * in:  x (3), sigma (0), tau (2), p (1)
+ * out: ahead (2), origin (2), axes (2,2) */
+FLEXEL_CLONES
+static void planar_skate_outputs(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (3 * 8);
+        const real *restrict p = in[3] + b * (1 * 8);
+        real *restrict ahead = out[0] + b * (2 * 8);
+        real *restrict origin = out[1] + b * (2 * 8);
+        real *restrict axes = out[2] + b * (4 * 8);
+        real t0[8], sin_r[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real r_angle = x[2 * 8 + j];
+            const real alpha0 = p[0 * 8 + j];
+            t0[j] = r_angle + alpha0;
+            const real p_x = x[0 * 8 + j];
+            origin[0 * 8 + j] = p_x;
+            const real p_y = x[1 * 8 + j];
+            origin[1 * 8 + j] = p_y;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            const real cos_r = real_cos(t0[j]);
+            ahead[0 * 8 + j] = axes[0 * 8 + j] = axes[3 * 8 + j] = cos_r; /* axes(0,0) axes(1,1) */
+            sin_r[j] = real_sin(t0[j]);
+            ahead[1 * 8 + j] = axes[1 * 8 + j] = sin_r[j]; /* axes(0,1) */
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            axes[2 * 8 + j] = -sin_r[j]; /* axes(1,0) */
         }
     }
 }
 
 const flexel_element flexel_planar_skate = {
     .name = "planar_skate",
-    .digest = "e95f773889309b06",
+    .digest = "3a6b635849de7b0a",
     .n = 3,
     .m = 0,
     .k = 2,
@@ -197,4 +237,5 @@ const flexel_element flexel_planar_skate = {
     .rates = planar_skate_rates,
     .kinematics = planar_skate_kinematics,
     .stiffness = planar_skate_stiffness,
+    .outputs = planar_skate_outputs,
 };

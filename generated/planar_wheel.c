@@ -2,6 +2,8 @@
  *
  * ex, ey: direction of travel (angle_r + alpha0) and its normal; angle_s is the turn about the axle
  * longitudinal = ex.v - radius angledot_s,  lateral = ey.v
+ * axes: of the wheel in space, in rows: a spoke, which turns from ex down, its normal, and the axle ey
+ * origin: x
  *
  * Source: SPACAR95 manual (Schwab and Meijaard 2000), PLWHEEL
  *
@@ -183,15 +185,60 @@ static void planar_wheel_stiffness(size_t nblocks, const real *const *in, real *
         for (size_t j = 0; j < 8; j++) {
             const real tau_lateral = tau[1 * 8 + j];
             const real tau_longitudinal = tau[0 * 8 + j];
-            K[0 * 8 + j] = -(cos_r[j] * tau_lateral + sin_r[j] * tau_longitudinal); /* K(0,2) */
-            K[1 * 8 + j] = cos_r[j] * tau_longitudinal - sin_r[j] * tau_lateral; /* K(1,2) */
+            const real p_fy = cos_r[j] * tau_lateral + sin_r[j] * tau_longitudinal;
+            K[0 * 8 + j] = -p_fy; /* K(0,2) */
+            const real p_fx = cos_r[j] * tau_longitudinal - sin_r[j] * tau_lateral;
+            K[1 * 8 + j] = p_fx; /* K(1,2) */
+        }
+    }
+}
+
+/* outputs: 14 operations.
+ * in:  x (4), sigma (0), tau (2), p (2)
+ * out: origin (2), axes (3,3), 8 of 9 entries */
+FLEXEL_CLONES
+static void planar_wheel_outputs(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (4 * 8);
+        const real *restrict p = in[3] + b * (2 * 8);
+        real *restrict origin = out[0] + b * (2 * 8);
+        real *restrict axes = out[1] + b * (8 * 8);
+        real t0[8], cos_r[8], t1[8], sin_r[8], t2[8];
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real p_x = x[0 * 8 + j];
+            origin[0 * 8 + j] = p_x;
+            const real p_y = x[1 * 8 + j];
+            origin[1 * 8 + j] = p_y;
+            const real r_angle = x[2 * 8 + j];
+            const real alpha0 = p[1 * 8 + j];
+            t0[j] = r_angle + alpha0;
+        }
+        for (size_t j = 0; j < 8; j++) {
+            cos_r[j] = real_cos(t0[j]);
+            axes[7 * 8 + j] = cos_r[j]; /* axes(2,1) */
+            const real s_angle = x[3 * 8 + j];
+            t1[j] = real_cos(s_angle);
+            sin_r[j] = real_sin(t0[j]);
+            t2[j] = real_sin(s_angle);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            axes[0 * 8 + j] = cos_r[j] * t1[j]; /* axes(0,0) */
+            axes[1 * 8 + j] = sin_r[j] * t1[j]; /* axes(0,1) */
+            axes[2 * 8 + j] = -t2[j]; /* axes(0,2) */
+            axes[3 * 8 + j] = -(cos_r[j] * t2[j]); /* axes(1,0) */
+            axes[4 * 8 + j] = -(sin_r[j] * t2[j]); /* axes(1,1) */
+            axes[5 * 8 + j] = -t1[j]; /* axes(1,2) */
+            axes[6 * 8 + j] = -sin_r[j]; /* axes(2,0) */
         }
     }
 }
 
 const flexel_element flexel_planar_wheel = {
     .name = "planar_wheel",
-    .digest = "55d3a7be73bd2035",
+    .digest = "81738025e405e9ab",
     .n = 4,
     .m = 0,
     .k = 2,
@@ -201,4 +248,5 @@ const flexel_element flexel_planar_wheel = {
     .rates = planar_wheel_rates,
     .kinematics = planar_wheel_kinematics,
     .stiffness = planar_wheel_stiffness,
+    .outputs = planar_wheel_outputs,
 };

@@ -2,6 +2,7 @@
  *
  * T = mass v.v/2
  * U = -mass gravity.x
+ * place: x
  *
  * Source: textbook mechanics
  *
@@ -53,13 +54,35 @@ static void point_mass_tangent(size_t nblocks, const real *const *in, real *cons
     (void)nblocks, (void)in, (void)out; /* every entry is zero */
 }
 
+/* outputs: 0 operations.
+ * in:  x (3), sigma (0), tau (0), p (4)
+ * out: place (3) */
+FLEXEL_CLONES
+static void point_mass_outputs(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (3 * 8);
+        real *restrict place = out[0] + b * (3 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real p_x = x[0 * 8 + j];
+            place[0 * 8 + j] = p_x;
+            const real p_y = x[1 * 8 + j];
+            place[1 * 8 + j] = p_y;
+            const real p_z = x[2 * 8 + j];
+            place[2 * 8 + j] = p_z;
+        }
+    }
+}
+
 const flexel_element flexel_point_mass = {
     .name = "point_mass",
-    .digest = "78cb25e6fd02b60b",
+    .digest = "c6e6cd112ed8b5ef",
     .n = 3,
     .m = 0,
     .k = 0,
     .np = 4,
     .inertia = point_mass_inertia,
     .tangent = point_mass_tangent,
+    .outputs = point_mass_outputs,
 };

@@ -4,6 +4,7 @@
  * triad ex, ey, ez: columns of R(lambda o t)
  * y = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1
  * gap = yz - sphere_radius, the plane is z = 0;  x = ydot_x,  y = ydot_y
+ * place: x, force: on what touches, origin: of the surface, in global axes;  axes: its directions in rows
  *
  * Source: textbook mechanics
  *
@@ -1124,9 +1125,102 @@ static void point_plane_stiffness(size_t nblocks, const real *const *in, real *c
     }
 }
 
+/* outputs: 101 operations.
+ * in:  x (10), sigma (1), tau (2), p (8)
+ * out: place (3), force (3), origin (3), axes (3,3) */
+FLEXEL_CLONES
+static void point_plane_outputs(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (10 * 8);
+        const real *restrict sigma = in[1] + b * (1 * 8);
+        const real *restrict tau = in[2] + b * (2 * 8);
+        const real *restrict p = in[3] + b * (8 * 8);
+        real *restrict place = out[0] + b * (3 * 8);
+        real *restrict force = out[1] + b * (3 * 8);
+        real *restrict origin = out[2] + b * (3 * 8);
+        real *restrict axes = out[3] + b * (9 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real p_x = x[0 * 8 + j];
+            place[0 * 8 + j] = p_x;
+            const real p_y = x[1 * 8 + j];
+            place[1 * 8 + j] = p_y;
+            const real p_z = x[2 * 8 + j];
+            place[2 * 8 + j] = p_z;
+            const real r_l0 = x[6 * 8 + j];
+            const real t_0 = p[0 * 8 + j];
+            const real r_l1 = x[7 * 8 + j];
+            const real t_1 = p[1 * 8 + j];
+            const real r_l2 = x[8 * 8 + j];
+            const real t_2 = p[2 * 8 + j];
+            const real r_l3 = x[9 * 8 + j];
+            const real t_3 = p[3 * 8 + j];
+            const real u_0 = r_l0 * t_0 - r_l1 * t_1 - r_l2 * t_2 - r_l3 * t_3;
+            const real u_2 = r_l0 * t_2 + r_l3 * t_1 + r_l2 * t_0 - r_l1 * t_3;
+            const real t0 = u_0 * u_2;
+            const real u_1 = r_l0 * t_1 + r_l2 * t_3 + r_l1 * t_0 - r_l3 * t_2;
+            const real u_3 = r_l0 * t_3 + r_l3 * t_0 + r_l1 * t_2 - r_l2 * t_1;
+            const real t1 = u_1 * u_3;
+            const real t2 = t0 + t1;
+            const real sigma_gap = sigma[0 * 8 + j];
+            const real t3 = u_1 * u_2;
+            const real t4 = u_0 * u_3;
+            const real t5 = t3 - t4;
+            const real tau_y = tau[1 * 8 + j];
+            const real t6 = u_0 * u_0;
+            const real t7 = u_1 * u_1;
+            const real t8 = u_2 * u_2;
+            const real t9 = u_3 * u_3;
+            const real ex_x = t6 + t7 - t8 - t9;
+            axes[0 * 8 + j] = ex_x; /* axes(0,0) */
+            const real tau_x = tau[0 * 8 + j];
+            const real p_fx = 2.0 * (sigma_gap * t2 + tau_y * t5) + tau_x * ex_x;
+            force[0 * 8 + j] = -p_fx;
+            const real t10 = u_2 * u_3;
+            const real t11 = u_0 * u_1;
+            const real t12 = t10 - t11;
+            const real t13 = t4 + t3;
+            const real ey_y = t6 + t8 - t7 - t9;
+            axes[4 * 8 + j] = ey_y; /* axes(1,1) */
+            const real p_fy = 2.0 * (sigma_gap * t12 + tau_x * t13) + tau_y * ey_y;
+            force[1 * 8 + j] = -p_fy;
+            const real t14 = t11 + t10;
+            const real t15 = t1 - t0;
+            const real ez_z = t6 + t9 - t7 - t8;
+            axes[8 * 8 + j] = ez_z; /* axes(2,2) */
+            const real p_fz = 2.0 * (tau_y * t14 + tau_x * t15) + sigma_gap * ez_z;
+            force[2 * 8 + j] = -p_fz;
+            const real offset_x = p[4 * 8 + j];
+            const real offset_z = p[6 * 8 + j];
+            const real offset_y = p[5 * 8 + j];
+            const real c_x = x[3 * 8 + j];
+            origin[0 * 8 + j] = c_x + 2.0 * (offset_z * t2 + offset_y * t5) + offset_x * ex_x;
+            const real t16 = 2.0 * (offset_z * t12 + offset_x * t13) + offset_y * ey_y;
+            const real c_y = x[4 * 8 + j];
+            origin[1 * 8 + j] = c_y + t16;
+            const real t17 = 2.0 * (offset_y * t14 + offset_x * t15) + offset_z * ez_z;
+            const real c_z = x[5 * 8 + j];
+            origin[2 * 8 + j] = c_z + t17;
+            const real ex_y = 2.0 * t13;
+            axes[1 * 8 + j] = ex_y; /* axes(0,1) */
+            const real ex_z = 2.0 * t15;
+            axes[2 * 8 + j] = ex_z; /* axes(0,2) */
+            const real ey_x = 2.0 * t5;
+            axes[3 * 8 + j] = ey_x; /* axes(1,0) */
+            const real ey_z = 2.0 * t14;
+            axes[5 * 8 + j] = ey_z; /* axes(1,2) */
+            const real ez_x = 2.0 * t2;
+            axes[6 * 8 + j] = ez_x; /* axes(2,0) */
+            const real ez_y = 2.0 * t12;
+            axes[7 * 8 + j] = ez_y; /* axes(2,1) */
+        }
+    }
+}
+
 const flexel_element flexel_point_plane = {
     .name = "point_plane",
-    .digest = "a0192b5e6c83d3c2",
+    .digest = "5257bf366979c7d1",
     .n = 10,
     .m = 1,
     .k = 2,
@@ -1136,4 +1230,5 @@ const flexel_element flexel_point_plane = {
     .rates = point_plane_rates,
     .kinematics = point_plane_kinematics,
     .stiffness = point_plane_stiffness,
+    .outputs = point_plane_outputs,
 };

@@ -6,6 +6,7 @@
  * w = (radius + groove_radius - distance from the axle ex, yx), from the centre of the round bottom to the point
  * gap = groove_radius - sphere_radius - n.w, n = w/|w| on the bottom, (sin beta, +-cos beta) on the flanks that
  * continue it;  tangential as for a cylinder,  across = n_0 ydot_x + n_1 distancedot, along the groove's profile
+ * place: x, force: on what touches, origin: of the surface, in global axes;  axes: its directions in rows
  *
  * Source: textbook mechanics
  *
@@ -2008,9 +2009,135 @@ static void point_round_groove_stiffness(size_t nblocks, const real *const *in, 
     }
 }
 
+/* outputs: 177 operations.
+ * in:  x (10), sigma (1), tau (2), p (12)
+ * out: place (3), force (3), origin (3), axes (3,3) */
+FLEXEL_CLONES
+static void point_round_groove_outputs(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (10 * 8);
+        const real *restrict sigma = in[1] + b * (1 * 8);
+        const real *restrict tau = in[2] + b * (2 * 8);
+        const real *restrict p = in[3] + b * (12 * 8);
+        real *restrict place = out[0] + b * (3 * 8);
+        real *restrict force = out[1] + b * (3 * 8);
+        real *restrict origin = out[2] + b * (3 * 8);
+        real *restrict axes = out[3] + b * (9 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real p_x = x[0 * 8 + j];
+            place[0 * 8 + j] = p_x;
+            const real p_y = x[1 * 8 + j];
+            place[1 * 8 + j] = p_y;
+            const real p_z = x[2 * 8 + j];
+            place[2 * 8 + j] = p_z;
+            const real r_l1 = x[7 * 8 + j];
+            const real t_0 = p[0 * 8 + j];
+            const real r_l0 = x[6 * 8 + j];
+            const real t_1 = p[1 * 8 + j];
+            const real r_l2 = x[8 * 8 + j];
+            const real t_3 = p[3 * 8 + j];
+            const real r_l3 = x[9 * 8 + j];
+            const real t_2 = p[2 * 8 + j];
+            const real u_1 = r_l0 * t_1 + r_l2 * t_3 + r_l1 * t_0 - r_l3 * t_2;
+            const real u_2 = r_l0 * t_2 + r_l3 * t_1 + r_l2 * t_0 - r_l1 * t_3;
+            const real t0 = u_1 * u_2;
+            const real u_0 = r_l0 * t_0 - r_l1 * t_1 - r_l2 * t_2 - r_l3 * t_3;
+            const real u_3 = r_l0 * t_3 + r_l3 * t_0 + r_l1 * t_2 - r_l2 * t_1;
+            const real t1 = u_0 * u_3;
+            const real t2 = t0 - t1;
+            const real c_y = x[4 * 8 + j];
+            const real d_y = p_y - c_y;
+            const real t3 = u_0 * u_0;
+            const real t4 = u_2 * u_2;
+            const real t5 = u_1 * u_1;
+            const real t6 = u_3 * u_3;
+            const real ey_y = t3 + t4 - t5 - t6;
+            axes[4 * 8 + j] = ey_y; /* axes(1,1) */
+            const real c_x = x[3 * 8 + j];
+            const real d_x = p_x - c_x;
+            const real c_z = x[5 * 8 + j];
+            const real d_z = p_z - c_z;
+            const real t7 = u_0 * u_1;
+            const real t8 = u_2 * u_3;
+            const real t9 = t7 + t8;
+            const real arm_y = d_y * ey_y + 2.0 * (d_x * t2 + d_z * t9);
+            const real offset_y = p[5 * 8 + j];
+            const real y_y = arm_y - offset_y;
+            const real ez_z = t3 + t6 - t5 - t4;
+            axes[8 * 8 + j] = ez_z; /* axes(2,2) */
+            const real t10 = u_0 * u_2;
+            const real t11 = u_1 * u_3;
+            const real t12 = t10 + t11;
+            const real t13 = t8 - t7;
+            const real arm_z = d_z * ez_z + 2.0 * (d_x * t12 + d_y * t13);
+            const real offset_z = p[6 * 8 + j];
+            const real y_z = arm_z - offset_z;
+            const real distance = real_sqrt(y_y * y_y + y_z * y_z);
+            const real t14 = 1.0 / distance;
+            const real ny = y_y * t14;
+            const real ex_x = t3 + t5 - t4 - t6;
+            axes[0 * 8 + j] = ex_x; /* axes(0,0) */
+            const real t15 = t1 + t0;
+            const real t16 = t11 - t10;
+            const real arm_x = d_x * ex_x + 2.0 * (d_y * t15 + d_z * t16);
+            const real offset_x = p[4 * 8 + j];
+            const real y_x = arm_x - offset_x;
+            const real flank_sin = p[9 * 8 + j];
+            const real radius = p[7 * 8 + j];
+            const real groove_radius = p[8 * 8 + j];
+            const real depth = radius + groove_radius - distance;
+            const real flank_cos = p[10 * 8 + j];
+            const real square = real_lt(flank_sin * real_abs(y_x), flank_cos * depth) ? depth * depth + y_x * y_x
+                : 1.0;
+            const real length = real_sqrt(square);
+            const real t17 = 1.0 / length;
+            const real t18 = flank_cos * (real_lt(y_x, 0.0) ? -1.0 : 1.0);
+            const real n_side = real_lt(flank_sin * real_abs(y_x), flank_cos * depth) ? y_x * t17 : t18;
+            const real tau_across = tau[1 * 8 + j];
+            const real t19 = tau_across * n_side;
+            const real nz = y_z * t14;
+            const real tau_tangential = tau[0 * 8 + j];
+            const real t20 = real_lt(flank_sin * real_abs(y_x), flank_cos * depth) ? 0.0 : 1.0;
+            const real sigma_gap = sigma[0 * 8 + j];
+            const real t21 = sigma_gap * t20;
+            const real t22 = real_lt(flank_sin * real_abs(y_x), flank_cos * depth) ? 1.0 : 0.0;
+            const real t23 = t17 * t22 * sigma_gap * t22;
+            const real t24 = t14 * (flank_sin * t21 + depth * t23);
+            const real t25 = ny * t19 - tau_tangential * nz + y_y * t24;
+            const real t26 = nz * t19 + tau_tangential * ny + y_z * t24;
+            const real n_depth = real_lt(flank_sin * real_abs(y_x), flank_cos * depth) ? depth * t17 : flank_sin;
+            const real t27 = tau_across * n_depth - (t18 * t21 + y_x * t23);
+            const real p_fx = 2.0 * (t2 * t25 + t12 * t26) + ex_x * t27;
+            force[0 * 8 + j] = -p_fx;
+            const real p_fy = 2.0 * (t15 * t27 + t13 * t26) + ey_y * t25;
+            force[1 * 8 + j] = -p_fy;
+            const real p_fz = 2.0 * (t16 * t27 + t9 * t25) + ez_z * t26;
+            force[2 * 8 + j] = -p_fz;
+            origin[0 * 8 + j] = c_x + 2.0 * (offset_z * t12 + offset_y * t2) + offset_x * ex_x;
+            const real t28 = 2.0 * (offset_z * t13 + offset_x * t15) + offset_y * ey_y;
+            origin[1 * 8 + j] = c_y + t28;
+            origin[2 * 8 + j] = 2.0 * (offset_y * t9 + offset_x * t16) + offset_z * ez_z + c_z;
+            const real ex_y = 2.0 * t15;
+            axes[1 * 8 + j] = ex_y; /* axes(0,1) */
+            const real ex_z = 2.0 * t16;
+            axes[2 * 8 + j] = ex_z; /* axes(0,2) */
+            const real ey_x = 2.0 * t2;
+            axes[3 * 8 + j] = ey_x; /* axes(1,0) */
+            const real ey_z = 2.0 * t9;
+            axes[5 * 8 + j] = ey_z; /* axes(1,2) */
+            const real ez_x = 2.0 * t12;
+            axes[6 * 8 + j] = ez_x; /* axes(2,0) */
+            const real ez_y = 2.0 * t13;
+            axes[7 * 8 + j] = ez_y; /* axes(2,1) */
+        }
+    }
+}
+
 const flexel_element flexel_point_round_groove = {
     .name = "point_round_groove",
-    .digest = "19546b782a3c565f",
+    .digest = "33814b1b74a33668",
     .n = 10,
     .m = 1,
     .k = 2,
@@ -2020,4 +2147,5 @@ const flexel_element flexel_point_round_groove = {
     .rates = point_round_groove_rates,
     .kinematics = point_round_groove_kinematics,
     .stiffness = point_round_groove_stiffness,
+    .outputs = point_round_groove_outputs,
 };

@@ -6,6 +6,7 @@
  * distance = |(yy, yz)| from the axle ex, h = distance - radius - sphere_radius; two flanks of half the angle beta
  * gap1 = h sin beta - yx cos beta,  gap2 = h sin beta + yx cos beta: both closed at h = 0 in the middle
  * tangential as for a cylinder,  across1, across2 = hdot cos beta +- ydot_x sin beta, up the flanks
+ * place: x, force: on what touches, origin: of the surface, in global axes;  axes: its directions in rows
  *
  * Source: textbook mechanics
  *
@@ -2195,9 +2196,121 @@ static void point_v_groove_stiffness(size_t nblocks, const real *const *in, real
     }
 }
 
+/* outputs: 145 operations.
+ * in:  x (10), sigma (2), tau (3), p (11)
+ * out: place (3), force (3), origin (3), axes (3,3) */
+FLEXEL_CLONES
+static void point_v_groove_outputs(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (10 * 8);
+        const real *restrict sigma = in[1] + b * (2 * 8);
+        const real *restrict tau = in[2] + b * (3 * 8);
+        const real *restrict p = in[3] + b * (11 * 8);
+        real *restrict place = out[0] + b * (3 * 8);
+        real *restrict force = out[1] + b * (3 * 8);
+        real *restrict origin = out[2] + b * (3 * 8);
+        real *restrict axes = out[3] + b * (9 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real p_x = x[0 * 8 + j];
+            place[0 * 8 + j] = p_x;
+            const real p_y = x[1 * 8 + j];
+            place[1 * 8 + j] = p_y;
+            const real p_z = x[2 * 8 + j];
+            place[2 * 8 + j] = p_z;
+            const real r_l1 = x[7 * 8 + j];
+            const real t_0 = p[0 * 8 + j];
+            const real r_l0 = x[6 * 8 + j];
+            const real t_1 = p[1 * 8 + j];
+            const real r_l2 = x[8 * 8 + j];
+            const real t_3 = p[3 * 8 + j];
+            const real r_l3 = x[9 * 8 + j];
+            const real t_2 = p[2 * 8 + j];
+            const real u_1 = r_l0 * t_1 + r_l2 * t_3 + r_l1 * t_0 - r_l3 * t_2;
+            const real u_2 = r_l0 * t_2 + r_l3 * t_1 + r_l2 * t_0 - r_l1 * t_3;
+            const real t0 = u_1 * u_2;
+            const real u_0 = r_l0 * t_0 - r_l1 * t_1 - r_l2 * t_2 - r_l3 * t_3;
+            const real u_3 = r_l0 * t_3 + r_l3 * t_0 + r_l1 * t_2 - r_l2 * t_1;
+            const real t1 = u_0 * u_3;
+            const real t2 = t0 - t1;
+            const real c_y = x[4 * 8 + j];
+            const real d_y = p_y - c_y;
+            const real t3 = u_0 * u_0;
+            const real t4 = u_2 * u_2;
+            const real t5 = u_1 * u_1;
+            const real t6 = u_3 * u_3;
+            const real ey_y = t3 + t4 - t5 - t6;
+            axes[4 * 8 + j] = ey_y; /* axes(1,1) */
+            const real c_x = x[3 * 8 + j];
+            const real d_x = p_x - c_x;
+            const real c_z = x[5 * 8 + j];
+            const real d_z = p_z - c_z;
+            const real t7 = u_0 * u_1;
+            const real t8 = u_2 * u_3;
+            const real t9 = t7 + t8;
+            const real arm_y = d_y * ey_y + 2.0 * (d_x * t2 + d_z * t9);
+            const real offset_y = p[5 * 8 + j];
+            const real y_y = arm_y - offset_y;
+            const real ez_z = t3 + t6 - t5 - t4;
+            axes[8 * 8 + j] = ez_z; /* axes(2,2) */
+            const real t10 = u_0 * u_2;
+            const real t11 = u_1 * u_3;
+            const real t12 = t10 + t11;
+            const real t13 = t8 - t7;
+            const real arm_z = d_z * ez_z + 2.0 * (d_x * t12 + d_y * t13);
+            const real offset_z = p[6 * 8 + j];
+            const real y_z = arm_z - offset_z;
+            const real distance = real_sqrt(y_y * y_y + y_z * y_z);
+            const real t14 = 1.0 / distance;
+            const real ny = y_y * t14;
+            const real tau_across1 = tau[1 * 8 + j];
+            const real tau_across2 = tau[2 * 8 + j];
+            const real flank_cos = p[9 * 8 + j];
+            const real t15 = flank_cos * (tau_across1 + tau_across2);
+            const real nz = y_z * t14;
+            const real tau_tangential = tau[0 * 8 + j];
+            const real flank_sin = p[8 * 8 + j];
+            const real sigma_gap1 = sigma[0 * 8 + j];
+            const real sigma_gap2 = sigma[1 * 8 + j];
+            const real t16 = flank_sin * t14 * (sigma_gap1 + sigma_gap2);
+            const real t17 = ny * t15 - tau_tangential * nz + y_y * t16;
+            const real t18 = tau_tangential * ny + nz * t15 + y_z * t16;
+            const real ex_x = t3 + t5 - t4 - t6;
+            axes[0 * 8 + j] = ex_x; /* axes(0,0) */
+            const real t19 = flank_cos * (sigma_gap2 - sigma_gap1) + flank_sin * (tau_across1 - tau_across2);
+            const real p_fx = 2.0 * (t2 * t17 + t12 * t18) + ex_x * t19;
+            force[0 * 8 + j] = -p_fx;
+            const real t20 = t1 + t0;
+            const real p_fy = 2.0 * (t20 * t19 + t13 * t18) + ey_y * t17;
+            force[1 * 8 + j] = -p_fy;
+            const real t21 = t11 - t10;
+            const real p_fz = 2.0 * (t21 * t19 + t9 * t17) + ez_z * t18;
+            force[2 * 8 + j] = -p_fz;
+            const real offset_x = p[4 * 8 + j];
+            origin[0 * 8 + j] = c_x + 2.0 * (offset_z * t12 + offset_y * t2) + offset_x * ex_x;
+            const real t22 = 2.0 * (offset_z * t13 + offset_x * t20) + offset_y * ey_y;
+            origin[1 * 8 + j] = c_y + t22;
+            origin[2 * 8 + j] = 2.0 * (offset_y * t9 + offset_x * t21) + offset_z * ez_z + c_z;
+            const real ex_y = 2.0 * t20;
+            axes[1 * 8 + j] = ex_y; /* axes(0,1) */
+            const real ex_z = 2.0 * t21;
+            axes[2 * 8 + j] = ex_z; /* axes(0,2) */
+            const real ey_x = 2.0 * t2;
+            axes[3 * 8 + j] = ey_x; /* axes(1,0) */
+            const real ey_z = 2.0 * t9;
+            axes[5 * 8 + j] = ey_z; /* axes(1,2) */
+            const real ez_x = 2.0 * t12;
+            axes[6 * 8 + j] = ez_x; /* axes(2,0) */
+            const real ez_y = 2.0 * t13;
+            axes[7 * 8 + j] = ez_y; /* axes(2,1) */
+        }
+    }
+}
+
 const flexel_element flexel_point_v_groove = {
     .name = "point_v_groove",
-    .digest = "624d770be1b98306",
+    .digest = "431dc9d9b2de202d",
     .n = 10,
     .m = 2,
     .k = 3,
@@ -2207,4 +2320,5 @@ const flexel_element flexel_point_v_groove = {
     .rates = point_v_groove_rates,
     .kinematics = point_v_groove_kinematics,
     .stiffness = point_v_groove_stiffness,
+    .outputs = point_v_groove_outputs,
 };

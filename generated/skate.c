@@ -2,6 +2,8 @@
  *
  * b = R(lambda) blade, n = normal, ey = (n x b)/|n x b|, ex = ey x n
  * surface = n.x - height,  forward = ex.v,  lateral = ey.v
+ * ahead: b
+ * origin: x, axes: columns of R(lambda) in rows: the frame that carries what a picture shows
  *
  * Source: Chaplygin 1911, sleigh; Neimark and Fufaev 1972, Dynamics of Nonholonomic Systems
  *
@@ -588,9 +590,74 @@ static void skate_stiffness(size_t nblocks, const real *const *in, real *const *
     }
 }
 
+/* outputs: 49 operations.
+ * in:  x (7), sigma (1), tau (2), p (7)
+ * out: ahead (3), origin (3), axes (3,3) */
+FLEXEL_CLONES
+static void skate_outputs(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (7 * 8);
+        const real *restrict p = in[3] + b * (7 * 8);
+        real *restrict ahead = out[0] + b * (3 * 8);
+        real *restrict origin = out[1] + b * (3 * 8);
+        real *restrict axes = out[2] + b * (9 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real r_l0 = x[3 * 8 + j];
+            const real t0 = r_l0 * r_l0;
+            const real r_l1 = x[4 * 8 + j];
+            const real t1 = r_l1 * r_l1;
+            const real r_l2 = x[5 * 8 + j];
+            const real t2 = r_l2 * r_l2;
+            const real r_l3 = x[6 * 8 + j];
+            const real t3 = r_l3 * r_l3;
+            const real t4 = t0 + t1 - t2 - t3;
+            axes[0 * 8 + j] = t4; /* axes(0,0) */
+            const real blade_x = p[0 * 8 + j];
+            const real t5 = r_l1 * r_l2;
+            const real t6 = r_l0 * r_l3;
+            const real t7 = t5 - t6;
+            const real blade_y = p[1 * 8 + j];
+            const real t8 = r_l0 * r_l2;
+            const real t9 = r_l1 * r_l3;
+            const real t10 = t8 + t9;
+            const real blade_z = p[2 * 8 + j];
+            const real b_x = blade_x * t4 + 2.0 * (blade_y * t7 + blade_z * t10);
+            ahead[0 * 8 + j] = b_x;
+            const real t11 = t0 + t2 - t1 - t3;
+            axes[4 * 8 + j] = t11; /* axes(1,1) */
+            const real t12 = t6 + t5;
+            const real t13 = r_l2 * r_l3;
+            const real t14 = r_l0 * r_l1;
+            const real t15 = t13 - t14;
+            const real b_y = blade_y * t11 + 2.0 * (blade_x * t12 + blade_z * t15);
+            ahead[1 * 8 + j] = b_y;
+            const real t16 = t0 + t3 - t1 - t2;
+            axes[8 * 8 + j] = t16; /* axes(2,2) */
+            const real t17 = t9 - t8;
+            const real t18 = t14 + t13;
+            const real b_z = blade_z * t16 + 2.0 * (blade_x * t17 + blade_y * t18);
+            ahead[2 * 8 + j] = b_z;
+            const real p_x = x[0 * 8 + j];
+            origin[0 * 8 + j] = p_x;
+            const real p_y = x[1 * 8 + j];
+            origin[1 * 8 + j] = p_y;
+            const real p_z = x[2 * 8 + j];
+            origin[2 * 8 + j] = p_z;
+            axes[1 * 8 + j] = 2.0 * t12; /* axes(0,1) */
+            axes[2 * 8 + j] = 2.0 * t17; /* axes(0,2) */
+            axes[3 * 8 + j] = 2.0 * t7; /* axes(1,0) */
+            axes[5 * 8 + j] = 2.0 * t18; /* axes(1,2) */
+            axes[6 * 8 + j] = 2.0 * t10; /* axes(2,0) */
+            axes[7 * 8 + j] = 2.0 * t15; /* axes(2,1) */
+        }
+    }
+}
+
 const flexel_element flexel_skate = {
     .name = "skate",
-    .digest = "63ffbad555510bf5",
+    .digest = "824aba72e9635077",
     .n = 7,
     .m = 1,
     .k = 2,
@@ -600,4 +667,5 @@ const flexel_element flexel_skate = {
     .rates = skate_rates,
     .kinematics = skate_kinematics,
     .stiffness = skate_stiffness,
+    .outputs = skate_outputs,
 };

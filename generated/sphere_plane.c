@@ -7,6 +7,8 @@
  * less by sphere_radius turn.(n x d), n the normal to the sphere: that of the sphere's material point in contact
  * (in a V groove it has two, with tangential1 and tangential2)
  * gap = yz - sphere_radius, the plane is z = 0;  x = ydot_x,  y = ydot_y
+ * place: x, force: on what touches, origin: of the surface, in global axes;  axes: its directions in rows
+ * axes_ball: axes of the body of what touches, in rows
  *
  * Source: textbook mechanics
  *
@@ -2276,9 +2278,138 @@ static void sphere_plane_stiffness(size_t nblocks, const real *const *in, real *
     }
 }
 
+/* outputs: 153 operations.
+ * in:  x (14), sigma (1), tau (2), p (11)
+ * out: place (3), force (3), origin (3), axes (3,3), axes_ball (3,3) */
+FLEXEL_CLONES
+static void sphere_plane_outputs(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (14 * 8);
+        const real *restrict sigma = in[1] + b * (1 * 8);
+        const real *restrict tau = in[2] + b * (2 * 8);
+        const real *restrict p = in[3] + b * (11 * 8);
+        real *restrict place = out[0] + b * (3 * 8);
+        real *restrict force = out[1] + b * (3 * 8);
+        real *restrict origin = out[2] + b * (3 * 8);
+        real *restrict axes = out[3] + b * (9 * 8);
+        real *restrict axes_ball = out[4] + b * (9 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real b_l0 = x[3 * 8 + j];
+            const real t0 = b_l0 * b_l0;
+            const real b_l1 = x[4 * 8 + j];
+            const real t1 = b_l1 * b_l1;
+            const real b_l2 = x[5 * 8 + j];
+            const real t2 = b_l2 * b_l2;
+            const real b_l3 = x[6 * 8 + j];
+            const real t3 = b_l3 * b_l3;
+            const real t4 = t0 + t1 - t2 - t3;
+            axes_ball[0 * 8 + j] = t4; /* axes_ball(0,0) */
+            const real centre_x = p[0 * 8 + j];
+            const real t5 = b_l1 * b_l2;
+            const real t6 = b_l0 * b_l3;
+            const real t7 = t5 - t6;
+            const real centre_y = p[1 * 8 + j];
+            const real t8 = b_l0 * b_l2;
+            const real t9 = b_l1 * b_l3;
+            const real t10 = t8 + t9;
+            const real centre_z = p[2 * 8 + j];
+            const real p_x = x[0 * 8 + j];
+            place[0 * 8 + j] = p_x + 2.0 * (centre_y * t7 + centre_z * t10) + centre_x * t4;
+            const real t11 = t0 + t2 - t1 - t3;
+            axes_ball[4 * 8 + j] = t11; /* axes_ball(1,1) */
+            const real t12 = t6 + t5;
+            const real t13 = b_l2 * b_l3;
+            const real t14 = b_l0 * b_l1;
+            const real t15 = t13 - t14;
+            const real p_y = x[1 * 8 + j];
+            place[1 * 8 + j] = centre_y * t11 + 2.0 * (centre_x * t12 + centre_z * t15) + p_y;
+            const real t16 = t0 + t3 - t1 - t2;
+            axes_ball[8 * 8 + j] = t16; /* axes_ball(2,2) */
+            const real t17 = t9 - t8;
+            const real t18 = t14 + t13;
+            const real p_z = x[2 * 8 + j];
+            place[2 * 8 + j] = centre_z * t16 + 2.0 * (centre_x * t17 + centre_y * t18) + p_z;
+            const real r_l0 = x[10 * 8 + j];
+            const real t_0 = p[3 * 8 + j];
+            const real r_l1 = x[11 * 8 + j];
+            const real t_1 = p[4 * 8 + j];
+            const real r_l2 = x[12 * 8 + j];
+            const real t_2 = p[5 * 8 + j];
+            const real r_l3 = x[13 * 8 + j];
+            const real t_3 = p[6 * 8 + j];
+            const real u_0 = r_l0 * t_0 - r_l1 * t_1 - r_l2 * t_2 - r_l3 * t_3;
+            const real t19 = u_0 * u_0;
+            const real u_1 = r_l0 * t_1 + r_l2 * t_3 + r_l1 * t_0 - r_l3 * t_2;
+            const real t20 = u_1 * u_1;
+            const real u_2 = r_l0 * t_2 + r_l3 * t_1 + r_l2 * t_0 - r_l1 * t_3;
+            const real t21 = u_2 * u_2;
+            const real u_3 = r_l0 * t_3 + r_l3 * t_0 + r_l1 * t_2 - r_l2 * t_1;
+            const real t22 = u_3 * u_3;
+            const real ex_x = t19 + t20 - t21 - t22;
+            axes[0 * 8 + j] = ex_x; /* axes(0,0) */
+            const real tau_x = tau[0 * 8 + j];
+            const real t23 = u_0 * u_2;
+            const real t24 = u_1 * u_3;
+            const real t25 = t23 + t24;
+            const real sigma_gap = sigma[0 * 8 + j];
+            const real t26 = u_1 * u_2;
+            const real t27 = u_0 * u_3;
+            const real t28 = t26 - t27;
+            const real tau_y = tau[1 * 8 + j];
+            const real p_fx = tau_x * ex_x + 2.0 * (sigma_gap * t25 + tau_y * t28);
+            force[0 * 8 + j] = -p_fx;
+            const real ey_y = t19 + t21 - t20 - t22;
+            axes[4 * 8 + j] = ey_y; /* axes(1,1) */
+            const real t29 = u_2 * u_3;
+            const real t30 = u_0 * u_1;
+            const real t31 = t29 - t30;
+            const real t32 = t27 + t26;
+            const real p_fy = tau_y * ey_y + 2.0 * (sigma_gap * t31 + tau_x * t32);
+            force[1 * 8 + j] = -p_fy;
+            const real ez_z = t19 + t22 - t20 - t21;
+            axes[8 * 8 + j] = ez_z; /* axes(2,2) */
+            const real t33 = t30 + t29;
+            const real t34 = t24 - t23;
+            const real p_fz = sigma_gap * ez_z + 2.0 * (tau_y * t33 + tau_x * t34);
+            force[2 * 8 + j] = -p_fz;
+            const real offset_x = p[7 * 8 + j];
+            const real offset_z = p[9 * 8 + j];
+            const real offset_y = p[8 * 8 + j];
+            const real c_x = x[7 * 8 + j];
+            origin[0 * 8 + j] = c_x + 2.0 * (offset_z * t25 + offset_y * t28) + offset_x * ex_x;
+            const real t35 = 2.0 * (offset_z * t31 + offset_x * t32) + offset_y * ey_y;
+            const real c_y = x[8 * 8 + j];
+            origin[1 * 8 + j] = c_y + t35;
+            const real t36 = 2.0 * (offset_y * t33 + offset_x * t34) + offset_z * ez_z;
+            const real c_z = x[9 * 8 + j];
+            origin[2 * 8 + j] = c_z + t36;
+            const real ex_y = 2.0 * t32;
+            axes[1 * 8 + j] = ex_y; /* axes(0,1) */
+            const real ex_z = 2.0 * t34;
+            axes[2 * 8 + j] = ex_z; /* axes(0,2) */
+            const real ey_x = 2.0 * t28;
+            axes[3 * 8 + j] = ey_x; /* axes(1,0) */
+            const real ey_z = 2.0 * t33;
+            axes[5 * 8 + j] = ey_z; /* axes(1,2) */
+            const real ez_x = 2.0 * t25;
+            axes[6 * 8 + j] = ez_x; /* axes(2,0) */
+            const real ez_y = 2.0 * t31;
+            axes[7 * 8 + j] = ez_y; /* axes(2,1) */
+            axes_ball[1 * 8 + j] = 2.0 * t12; /* axes_ball(0,1) */
+            axes_ball[2 * 8 + j] = 2.0 * t17; /* axes_ball(0,2) */
+            axes_ball[3 * 8 + j] = 2.0 * t7; /* axes_ball(1,0) */
+            axes_ball[5 * 8 + j] = 2.0 * t18; /* axes_ball(1,2) */
+            axes_ball[6 * 8 + j] = 2.0 * t10; /* axes_ball(2,0) */
+            axes_ball[7 * 8 + j] = 2.0 * t15; /* axes_ball(2,1) */
+        }
+    }
+}
+
 const flexel_element flexel_sphere_plane = {
     .name = "sphere_plane",
-    .digest = "0e487d50b8075663",
+    .digest = "b312b10cf6db6c9d",
     .n = 14,
     .m = 1,
     .k = 2,
@@ -2288,4 +2419,5 @@ const flexel_element flexel_sphere_plane = {
     .rates = sphere_plane_rates,
     .kinematics = sphere_plane_kinematics,
     .stiffness = sphere_plane_stiffness,
+    .outputs = sphere_plane_outputs,
 };

@@ -9,6 +9,8 @@
  * w = (radius + groove_radius - distance from the axle ex, yx), from the centre of the round bottom to the sphere
  * gap = groove_radius - sphere_radius - n.w, n = w/|w| on the bottom, (sin beta, +-cos beta) on the flanks that
  * continue it;  tangential as for a cylinder,  across = n_0 ydot_x + n_1 distancedot, along the groove's profile
+ * place: x, force: on what touches, origin: of the surface, in global axes;  axes: its directions in rows
+ * axes_ball: axes of the body of what touches, in rows
  *
  * Source: textbook mechanics
  *
@@ -3610,9 +3612,173 @@ static void sphere_round_groove_stiffness(size_t nblocks, const real *const *in,
     }
 }
 
+/* outputs: 229 operations.
+ * in:  x (14), sigma (1), tau (2), p (15)
+ * out: place (3), force (3), origin (3), axes (3,3), axes_ball (3,3) */
+FLEXEL_CLONES
+static void sphere_round_groove_outputs(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (14 * 8);
+        const real *restrict sigma = in[1] + b * (1 * 8);
+        const real *restrict tau = in[2] + b * (2 * 8);
+        const real *restrict p = in[3] + b * (15 * 8);
+        real *restrict place = out[0] + b * (3 * 8);
+        real *restrict force = out[1] + b * (3 * 8);
+        real *restrict origin = out[2] + b * (3 * 8);
+        real *restrict axes = out[3] + b * (9 * 8);
+        real *restrict axes_ball = out[4] + b * (9 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real b_l0 = x[3 * 8 + j];
+            const real t0 = b_l0 * b_l0;
+            const real b_l1 = x[4 * 8 + j];
+            const real t1 = b_l1 * b_l1;
+            const real b_l2 = x[5 * 8 + j];
+            const real t2 = b_l2 * b_l2;
+            const real b_l3 = x[6 * 8 + j];
+            const real t3 = b_l3 * b_l3;
+            const real t4 = t0 + t1 - t2 - t3;
+            axes_ball[0 * 8 + j] = t4; /* axes_ball(0,0) */
+            const real centre_x = p[0 * 8 + j];
+            const real t5 = b_l1 * b_l2;
+            const real t6 = b_l0 * b_l3;
+            const real t7 = t5 - t6;
+            const real centre_y = p[1 * 8 + j];
+            const real t8 = b_l0 * b_l2;
+            const real t9 = b_l1 * b_l3;
+            const real t10 = t8 + t9;
+            const real centre_z = p[2 * 8 + j];
+            const real p_x = x[0 * 8 + j];
+            const real t11 = p_x + 2.0 * (centre_y * t7 + centre_z * t10) + centre_x * t4;
+            place[0 * 8 + j] = t11;
+            const real t12 = t0 + t2 - t1 - t3;
+            axes_ball[4 * 8 + j] = t12; /* axes_ball(1,1) */
+            const real t13 = t6 + t5;
+            const real t14 = b_l2 * b_l3;
+            const real t15 = b_l0 * b_l1;
+            const real t16 = t14 - t15;
+            const real p_y = x[1 * 8 + j];
+            const real t17 = p_y + 2.0 * (centre_x * t13 + centre_z * t16) + centre_y * t12;
+            place[1 * 8 + j] = t17;
+            const real t18 = t0 + t3 - t1 - t2;
+            axes_ball[8 * 8 + j] = t18; /* axes_ball(2,2) */
+            const real t19 = t9 - t8;
+            const real t20 = t15 + t14;
+            const real p_z = x[2 * 8 + j];
+            const real t21 = p_z + 2.0 * (centre_x * t19 + centre_y * t20) + centre_z * t18;
+            place[2 * 8 + j] = t21;
+            const real r_l1 = x[11 * 8 + j];
+            const real t_0 = p[3 * 8 + j];
+            const real r_l0 = x[10 * 8 + j];
+            const real t_1 = p[4 * 8 + j];
+            const real r_l2 = x[12 * 8 + j];
+            const real t_3 = p[6 * 8 + j];
+            const real r_l3 = x[13 * 8 + j];
+            const real t_2 = p[5 * 8 + j];
+            const real u_1 = r_l0 * t_1 + r_l2 * t_3 + r_l1 * t_0 - r_l3 * t_2;
+            const real u_2 = r_l0 * t_2 + r_l3 * t_1 + r_l2 * t_0 - r_l1 * t_3;
+            const real t22 = u_1 * u_2;
+            const real u_0 = r_l0 * t_0 - r_l1 * t_1 - r_l2 * t_2 - r_l3 * t_3;
+            const real u_3 = r_l0 * t_3 + r_l3 * t_0 + r_l1 * t_2 - r_l2 * t_1;
+            const real t23 = u_0 * u_3;
+            const real t24 = t22 - t23;
+            const real t25 = u_0 * u_0;
+            const real t26 = u_2 * u_2;
+            const real t27 = u_1 * u_1;
+            const real t28 = u_3 * u_3;
+            const real ey_y = t25 + t26 - t27 - t28;
+            axes[4 * 8 + j] = ey_y; /* axes(1,1) */
+            const real c_y = x[8 * 8 + j];
+            const real d_y = t17 - c_y;
+            const real c_x = x[7 * 8 + j];
+            const real d_x = t11 - c_x;
+            const real t29 = u_0 * u_1;
+            const real t30 = u_2 * u_3;
+            const real t31 = t29 + t30;
+            const real c_z = x[9 * 8 + j];
+            const real d_z = t21 - c_z;
+            const real arm_y = ey_y * d_y + 2.0 * (t24 * d_x + t31 * d_z);
+            const real offset_y = p[8 * 8 + j];
+            const real y_y = arm_y - offset_y;
+            const real ez_z = t25 + t28 - t27 - t26;
+            axes[8 * 8 + j] = ez_z; /* axes(2,2) */
+            const real t32 = u_0 * u_2;
+            const real t33 = u_1 * u_3;
+            const real t34 = t32 + t33;
+            const real t35 = t30 - t29;
+            const real arm_z = ez_z * d_z + 2.0 * (t34 * d_x + t35 * d_y);
+            const real offset_z = p[9 * 8 + j];
+            const real y_z = arm_z - offset_z;
+            const real distance = real_sqrt(y_y * y_y + y_z * y_z);
+            const real t36 = 1.0 / distance;
+            const real radius = p[10 * 8 + j];
+            const real groove_radius = p[11 * 8 + j];
+            const real depth = radius + groove_radius - distance;
+            const real ex_x = t25 + t27 - t26 - t28;
+            axes[0 * 8 + j] = ex_x; /* axes(0,0) */
+            const real t37 = t23 + t22;
+            const real t38 = t33 - t32;
+            const real arm_x = ex_x * d_x + 2.0 * (t37 * d_y + t38 * d_z);
+            const real offset_x = p[7 * 8 + j];
+            const real y_x = arm_x - offset_x;
+            const real flank_sin = p[12 * 8 + j];
+            const real flank_cos = p[13 * 8 + j];
+            const real t39 = real_lt(flank_sin * real_abs(y_x), flank_cos * depth) ? 1.0 : 0.0;
+            const real square = real_lt(flank_sin * real_abs(y_x), flank_cos * depth) ? depth * depth + y_x * y_x
+                : 1.0;
+            const real length = real_sqrt(square);
+            const real t40 = 1.0 / length;
+            const real sigma_gap = sigma[0 * 8 + j];
+            const real t41 = t40 * t39 * sigma_gap * t39;
+            const real t42 = real_lt(flank_sin * real_abs(y_x), flank_cos * depth) ? 0.0 : 1.0;
+            const real t43 = sigma_gap * t42;
+            const real t44 = t36 * (depth * t41 + flank_sin * t43);
+            const real ny = y_y * t36;
+            const real t45 = flank_cos * (real_lt(y_x, 0.0) ? -1.0 : 1.0);
+            const real n_side = real_lt(flank_sin * real_abs(y_x), flank_cos * depth) ? y_x * t40 : t45;
+            const real tau_across = tau[1 * 8 + j];
+            const real t46 = tau_across * n_side;
+            const real nz = y_z * t36;
+            const real tau_tangential = tau[0 * 8 + j];
+            const real t47 = y_y * t44 + ny * t46 - tau_tangential * nz;
+            const real t48 = tau_tangential * ny + y_z * t44 + nz * t46;
+            const real n_depth = real_lt(flank_sin * real_abs(y_x), flank_cos * depth) ? depth * t40 : flank_sin;
+            const real t49 = tau_across * n_depth - y_x * t41 - t45 * t43;
+            const real p_fx = 2.0 * (t24 * t47 + t34 * t48) + ex_x * t49;
+            force[0 * 8 + j] = -p_fx;
+            const real p_fy = 2.0 * (t37 * t49 + t35 * t48) + ey_y * t47;
+            force[1 * 8 + j] = -p_fy;
+            const real p_fz = 2.0 * (t38 * t49 + t31 * t47) + ez_z * t48;
+            force[2 * 8 + j] = -p_fz;
+            origin[0 * 8 + j] = c_x + offset_x * ex_x + 2.0 * (offset_z * t34 + offset_y * t24);
+            origin[1 * 8 + j] = c_y + offset_y * ey_y + 2.0 * (offset_z * t35 + offset_x * t37);
+            origin[2 * 8 + j] = c_z + offset_z * ez_z + 2.0 * (offset_y * t31 + offset_x * t38);
+            const real ex_y = 2.0 * t37;
+            axes[1 * 8 + j] = ex_y; /* axes(0,1) */
+            const real ex_z = 2.0 * t38;
+            axes[2 * 8 + j] = ex_z; /* axes(0,2) */
+            const real ey_x = 2.0 * t24;
+            axes[3 * 8 + j] = ey_x; /* axes(1,0) */
+            const real ey_z = 2.0 * t31;
+            axes[5 * 8 + j] = ey_z; /* axes(1,2) */
+            const real ez_x = 2.0 * t34;
+            axes[6 * 8 + j] = ez_x; /* axes(2,0) */
+            const real ez_y = 2.0 * t35;
+            axes[7 * 8 + j] = ez_y; /* axes(2,1) */
+            axes_ball[1 * 8 + j] = 2.0 * t13; /* axes_ball(0,1) */
+            axes_ball[2 * 8 + j] = 2.0 * t19; /* axes_ball(0,2) */
+            axes_ball[3 * 8 + j] = 2.0 * t7; /* axes_ball(1,0) */
+            axes_ball[5 * 8 + j] = 2.0 * t20; /* axes_ball(1,2) */
+            axes_ball[6 * 8 + j] = 2.0 * t10; /* axes_ball(2,0) */
+            axes_ball[7 * 8 + j] = 2.0 * t16; /* axes_ball(2,1) */
+        }
+    }
+}
+
 const flexel_element flexel_sphere_round_groove = {
     .name = "sphere_round_groove",
-    .digest = "76b2fb0a9f57ad33",
+    .digest = "7438a4313c27c6f1",
     .n = 14,
     .m = 1,
     .k = 2,
@@ -3622,4 +3788,5 @@ const flexel_element flexel_sphere_round_groove = {
     .rates = sphere_round_groove_rates,
     .kinematics = sphere_round_groove_kinematics,
     .stiffness = sphere_round_groove_stiffness,
+    .outputs = sphere_round_groove_outputs,
 };

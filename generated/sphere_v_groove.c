@@ -9,6 +9,8 @@
  * distance = |(yy, yz)| from the axle ex, h = distance - radius - sphere_radius; two flanks of half the angle beta
  * gap1 = h sin beta - yx cos beta,  gap2 = h sin beta + yx cos beta: both closed at h = 0 in the middle
  * tangential as for a cylinder,  across1, across2 = hdot cos beta +- ydot_x sin beta, up the flanks
+ * place: x, force: on what touches, origin: of the surface, in global axes;  axes: its directions in rows
+ * axes_ball: axes of the body of what touches, in rows
  *
  * Source: textbook mechanics
  *
@@ -4441,9 +4443,161 @@ static void sphere_v_groove_stiffness(size_t nblocks, const real *const *in, rea
     }
 }
 
+/* outputs: 198 operations.
+ * in:  x (14), sigma (2), tau (4), p (14)
+ * out: place (3), force (3), origin (3), axes (3,3), axes_ball (3,3) */
+FLEXEL_CLONES
+static void sphere_v_groove_outputs(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (14 * 8);
+        const real *restrict sigma = in[1] + b * (2 * 8);
+        const real *restrict tau = in[2] + b * (4 * 8);
+        const real *restrict p = in[3] + b * (14 * 8);
+        real *restrict place = out[0] + b * (3 * 8);
+        real *restrict force = out[1] + b * (3 * 8);
+        real *restrict origin = out[2] + b * (3 * 8);
+        real *restrict axes = out[3] + b * (9 * 8);
+        real *restrict axes_ball = out[4] + b * (9 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real b_l0 = x[3 * 8 + j];
+            const real t0 = b_l0 * b_l0;
+            const real b_l1 = x[4 * 8 + j];
+            const real t1 = b_l1 * b_l1;
+            const real b_l2 = x[5 * 8 + j];
+            const real t2 = b_l2 * b_l2;
+            const real b_l3 = x[6 * 8 + j];
+            const real t3 = b_l3 * b_l3;
+            const real t4 = t0 + t1 - t2 - t3;
+            axes_ball[0 * 8 + j] = t4; /* axes_ball(0,0) */
+            const real centre_x = p[0 * 8 + j];
+            const real t5 = b_l1 * b_l2;
+            const real t6 = b_l0 * b_l3;
+            const real t7 = t5 - t6;
+            const real centre_y = p[1 * 8 + j];
+            const real t8 = b_l0 * b_l2;
+            const real t9 = b_l1 * b_l3;
+            const real t10 = t8 + t9;
+            const real centre_z = p[2 * 8 + j];
+            const real p_x = x[0 * 8 + j];
+            const real t11 = p_x + 2.0 * (centre_y * t7 + centre_z * t10) + centre_x * t4;
+            place[0 * 8 + j] = t11;
+            const real t12 = t0 + t2 - t1 - t3;
+            axes_ball[4 * 8 + j] = t12; /* axes_ball(1,1) */
+            const real t13 = t6 + t5;
+            const real t14 = b_l2 * b_l3;
+            const real t15 = b_l0 * b_l1;
+            const real t16 = t14 - t15;
+            const real p_y = x[1 * 8 + j];
+            const real t17 = p_y + 2.0 * (centre_x * t13 + centre_z * t16) + centre_y * t12;
+            place[1 * 8 + j] = t17;
+            const real t18 = t0 + t3 - t1 - t2;
+            axes_ball[8 * 8 + j] = t18; /* axes_ball(2,2) */
+            const real t19 = t9 - t8;
+            const real t20 = t15 + t14;
+            const real p_z = x[2 * 8 + j];
+            const real t21 = p_z + 2.0 * (centre_x * t19 + centre_y * t20) + centre_z * t18;
+            place[2 * 8 + j] = t21;
+            const real r_l0 = x[10 * 8 + j];
+            const real t_0 = p[3 * 8 + j];
+            const real r_l1 = x[11 * 8 + j];
+            const real t_1 = p[4 * 8 + j];
+            const real r_l2 = x[12 * 8 + j];
+            const real t_2 = p[5 * 8 + j];
+            const real r_l3 = x[13 * 8 + j];
+            const real t_3 = p[6 * 8 + j];
+            const real u_0 = r_l0 * t_0 - r_l1 * t_1 - r_l2 * t_2 - r_l3 * t_3;
+            const real t22 = u_0 * u_0;
+            const real u_1 = r_l0 * t_1 + r_l2 * t_3 + r_l1 * t_0 - r_l3 * t_2;
+            const real t23 = u_1 * u_1;
+            const real u_2 = r_l0 * t_2 + r_l3 * t_1 + r_l2 * t_0 - r_l1 * t_3;
+            const real t24 = u_2 * u_2;
+            const real u_3 = r_l0 * t_3 + r_l3 * t_0 + r_l1 * t_2 - r_l2 * t_1;
+            const real t25 = u_3 * u_3;
+            const real ex_x = t22 + t23 - t24 - t25;
+            axes[0 * 8 + j] = ex_x; /* axes(0,0) */
+            const real sigma_gap2 = sigma[1 * 8 + j];
+            const real sigma_gap1 = sigma[0 * 8 + j];
+            const real flank_cos = p[12 * 8 + j];
+            const real tau_across2 = tau[3 * 8 + j];
+            const real tau_across1 = tau[1 * 8 + j];
+            const real flank_sin = p[11 * 8 + j];
+            const real t26 = flank_cos * (sigma_gap2 - sigma_gap1) - flank_sin * (tau_across2 - tau_across1);
+            const real t27 = u_1 * u_2;
+            const real t28 = u_0 * u_3;
+            const real t29 = t27 - t28;
+            const real ey_y = t22 + t24 - t23 - t25;
+            axes[4 * 8 + j] = ey_y; /* axes(1,1) */
+            const real c_y = x[8 * 8 + j];
+            const real d_y = t17 - c_y;
+            const real c_x = x[7 * 8 + j];
+            const real d_x = t11 - c_x;
+            const real t30 = u_0 * u_1;
+            const real t31 = u_2 * u_3;
+            const real t32 = t30 + t31;
+            const real c_z = x[9 * 8 + j];
+            const real d_z = t21 - c_z;
+            const real arm_y = ey_y * d_y + 2.0 * (t29 * d_x + t32 * d_z);
+            const real offset_y = p[8 * 8 + j];
+            const real y_y = arm_y - offset_y;
+            const real ez_z = t22 + t25 - t23 - t24;
+            axes[8 * 8 + j] = ez_z; /* axes(2,2) */
+            const real t33 = u_0 * u_2;
+            const real t34 = u_1 * u_3;
+            const real t35 = t33 + t34;
+            const real t36 = t31 - t30;
+            const real arm_z = ez_z * d_z + 2.0 * (t35 * d_x + t36 * d_y);
+            const real offset_z = p[9 * 8 + j];
+            const real y_z = arm_z - offset_z;
+            const real distance = real_sqrt(y_y * y_y + y_z * y_z);
+            const real t37 = 1.0 / distance;
+            const real t38 = flank_sin * (sigma_gap1 + sigma_gap2) * t37;
+            const real ny = y_y * t37;
+            const real t39 = flank_cos * (tau_across1 + tau_across2);
+            const real nz = y_z * t37;
+            const real tau_tangential1 = tau[0 * 8 + j];
+            const real tau_tangential2 = tau[2 * 8 + j];
+            const real t40 = tau_tangential1 + tau_tangential2;
+            const real t41 = y_y * t38 + ny * t39 - nz * t40;
+            const real t42 = nz * t39 + y_z * t38 + ny * t40;
+            const real p_fx = ex_x * t26 + 2.0 * (t29 * t41 + t35 * t42);
+            force[0 * 8 + j] = -p_fx;
+            const real t43 = t28 + t27;
+            const real p_fy = 2.0 * (t43 * t26 + t36 * t42) + ey_y * t41;
+            force[1 * 8 + j] = -p_fy;
+            const real t44 = t34 - t33;
+            const real p_fz = 2.0 * (t44 * t26 + t32 * t41) + ez_z * t42;
+            force[2 * 8 + j] = -p_fz;
+            const real offset_x = p[7 * 8 + j];
+            origin[0 * 8 + j] = c_x + offset_x * ex_x + 2.0 * (offset_z * t35 + offset_y * t29);
+            origin[1 * 8 + j] = c_y + offset_y * ey_y + 2.0 * (offset_z * t36 + offset_x * t43);
+            origin[2 * 8 + j] = c_z + offset_z * ez_z + 2.0 * (offset_y * t32 + offset_x * t44);
+            const real ex_y = 2.0 * t43;
+            axes[1 * 8 + j] = ex_y; /* axes(0,1) */
+            const real ex_z = 2.0 * t44;
+            axes[2 * 8 + j] = ex_z; /* axes(0,2) */
+            const real ey_x = 2.0 * t29;
+            axes[3 * 8 + j] = ey_x; /* axes(1,0) */
+            const real ey_z = 2.0 * t32;
+            axes[5 * 8 + j] = ey_z; /* axes(1,2) */
+            const real ez_x = 2.0 * t35;
+            axes[6 * 8 + j] = ez_x; /* axes(2,0) */
+            const real ez_y = 2.0 * t36;
+            axes[7 * 8 + j] = ez_y; /* axes(2,1) */
+            axes_ball[1 * 8 + j] = 2.0 * t13; /* axes_ball(0,1) */
+            axes_ball[2 * 8 + j] = 2.0 * t19; /* axes_ball(0,2) */
+            axes_ball[3 * 8 + j] = 2.0 * t7; /* axes_ball(1,0) */
+            axes_ball[5 * 8 + j] = 2.0 * t20; /* axes_ball(1,2) */
+            axes_ball[6 * 8 + j] = 2.0 * t10; /* axes_ball(2,0) */
+            axes_ball[7 * 8 + j] = 2.0 * t16; /* axes_ball(2,1) */
+        }
+    }
+}
+
 const flexel_element flexel_sphere_v_groove = {
     .name = "sphere_v_groove",
-    .digest = "c8b16b22357ae871",
+    .digest = "3811a7fed89eefb0",
     .n = 14,
     .m = 2,
     .k = 4,
@@ -4453,4 +4607,5 @@ const flexel_element flexel_sphere_v_groove = {
     .rates = sphere_v_groove_rates,
     .kinematics = sphere_v_groove_kinematics,
     .stiffness = sphere_v_groove_stiffness,
+    .outputs = sphere_v_groove_outputs,
 };

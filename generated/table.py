@@ -22,8 +22,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element point_mass
     "point_mass": ElementSpec(
         name="point_mass",
-        digest="78cb25e6fd02b60b",
-        doc="T = mass v.v/2\nU = -mass gravity.x",
+        digest="c6e6cd112ed8b5ef",
+        doc="T = mass v.v/2\nU = -mass gravity.x\nplace: x",
         source="textbook mechanics",
         nodes=(
             NodeSpec("p", "point"),
@@ -53,15 +53,21 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 0,
             ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("place", (3,), (0, 1, 2), unit="m", draws="mass"),
+                ),
+                0,
+            ),
         },
         family="body",
-        picture="mass",
     ),
     # element body
     "body": ElementSpec(
         name="body",
-        digest="9ec7b2a5d2b975a6",
-        doc="vc = xdot + d(R(lambda) c)/dt, velocity of the mass centre\nw = 2 (conj(lambda) o lambdadot), angular velocity in body axes\nT = mass vc.vc/2 + w.J w/2\nU = -mass gravity.(x + R(lambda) c)",
+        digest="5408c8c5f0201fbb",
+        doc="vc = xdot + d(R(lambda) c)/dt, velocity of the mass centre\nw = 2 (conj(lambda) o lambdadot), angular velocity in body axes\nT = mass vc.vc/2 + w.J w/2\nU = -mass gravity.(x + R(lambda) c)\ncentre: x + R(lambda) c\norigin: x, axes: columns of R(lambda) in rows: the frame that carries what a picture shows",
         source="Schwab and Meijaard 2006, DETC2006-99307",
         nodes=(
             NodeSpec("p", "point"),
@@ -93,6 +99,15 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("R_v", (7, 7), (3, 4, 5, 6, 10, 11, 12, 13, 17, 18, 19, 20, 21, 22, 24, 25, 26, 27, 28, 29, 31, 32, 33, 34, 35, 36, 38, 39, 40, 41, 42, 43, 45, 46, 47, 48)),
                 ),
                 1337,
+            ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("centre", (3,), (0, 1, 2), unit="m", draws="mass"),
+                    OutputSpec("origin", (3,), (0, 1, 2), unit="m"),
+                    OutputSpec("axes", (3, 3), tuple(range(9)), unit="1"),
+                ),
+                52,
             ),
         },
         family="body",
@@ -133,6 +148,41 @@ ELEMENTS: dict[str, ElementSpec] = {
             ),
         },
         family="body",
+    ),
+    # element warping_inertia
+    "warping_inertia": ElementSpec(
+        name="warping_inertia",
+        digest="38325bf076bf00d3",
+        doc="w: twist per length\nT = J wdot^2/2",
+        source="Vlasov 1961, Thin-walled elastic beams",
+        nodes=(
+            NodeSpec("w", "warping"),
+        ),
+        parameters=(
+            ParameterSpec("J", 1, "kg m^4", "moment of inertia of warping: density times warping constant times length"),
+        ),
+        deformations=(),
+        slips=(),
+        kernels={
+            "inertia": KernelSpec(
+                ("x", "v", "p"),
+                (
+                    OutputSpec("M", (1, 1), (0,)),
+                    OutputSpec("h", (1,), ()),
+                    OutputSpec("f", (1,), ()),
+                    OutputSpec("U", (1,), ()),
+                ),
+                0,
+            ),
+            "tangent": KernelSpec(
+                ("x", "v", "a", "p"),
+                (
+                    OutputSpec("R_x", (1, 1), ()),
+                    OutputSpec("R_v", (1, 1), ()),
+                ),
+                0,
+            ),
+        },
     ),
     # element norm
     "norm": ElementSpec(
@@ -276,8 +326,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element hinge
     "hinge": ElementSpec(
         name="hinge",
-        digest="ddc66782e222dab5",
-        doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nc = conj(u_p) o u_q\nangle = 2 atan2(c1, c0), period 2 pi\nbend1 = ez_p.ex_q,  bend2 = -ey_p.ex_q",
+        digest="4d8322c15bd8f0fd",
+        doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nc = conj(u_p) o u_q\nangle = 2 atan2(c1, c0), period 2 pi\nbend1 = ez_p.ex_q,  bend2 = -ey_p.ex_q\naxes: ex_p, ey_p, ez_p in rows",
         source="van der Werff and Jonker 1984; SPACAR95 manual (Schwab and Meijaard 2000), HINGE",
         nodes=(
             NodeSpec("p", "frame"),
@@ -333,6 +383,13 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 1035,
             ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("axes", (3, 3), tuple(range(9)), unit="1"),
+                ),
+                59,
+            ),
         },
         family="hinge",
         picture="hinge",
@@ -340,8 +397,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element bearing
     "bearing": ElementSpec(
         name="bearing",
-        digest="f1966cfd294e2e34",
-        doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nc = conj(u_p) o u_q\nangle = 2 atan2(c1, c0), period 2 pi\nbend1 = ez_p.ex_q,  bend2 = -ey_p.ex_q\nd = xq - xp\n(axial, radial1, radial2) = R(u_p)' d - d0",
+        digest="5383bbccd03488ff",
+        doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nc = conj(u_p) o u_q\nangle = 2 atan2(c1, c0), period 2 pi\nbend1 = ez_p.ex_q,  bend2 = -ey_p.ex_q\nd = xq - xp\n(axial, radial1, radial2) = R(u_p)' d - d0\naxes: the directions in rows;  displacement: the deformations that are lengths",
         source="SPACAR95 manual (Schwab and Meijaard 2000), BEARING",
         nodes=(
             NodeSpec("p", "point"),
@@ -403,6 +460,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 1150,
             ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("axes", (3, 3), tuple(range(9)), unit="1"),
+                    OutputSpec("displacement", (3,), (0, 1, 2), unit="m"),
+                ),
+                83,
+            ),
         },
         family="bearing",
         picture="bearing",
@@ -410,8 +475,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element beam3
     "beam3": ElementSpec(
         name="beam3",
-        digest="ce631facb7caf5d3",
-        doc="triad ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp; d = xq - xp\n(along, across1, across2) = R(u_p)' d - d0\nw_p = angular velocity of the triad, in its own axes\nT = rhoA l0/6 (vp.vp + vp.vq + vq.vq) + l0/2 sum rhoJ_i w_i^2, uniform bar\nU = -rhoA l0 gravity.(xp + xq)/2",
+        digest="3f244ff3836b191b",
+        doc="triad ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp; d = xq - xp\n(along, across1, across2) = R(u_p)' d - d0\nw_p = angular velocity of the triad, in its own axes\nT = rhoA l0/6 (vp.vp + vp.vq + vq.vq) + l0/2 sum rhoJ_i w_i^2, uniform bar\nU = -rhoA l0 gravity.(xp + xq)/2\naxes: the directions in rows;  displacement: the deformations that are lengths",
         source="Meijaard, Papadopoulos, Ruina and Schwab 2007, supplement, PINBODY; UT SPACAR, RBEAM",
         nodes=(
             NodeSpec("p", "point"),
@@ -490,6 +555,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 845,
             ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("axes", (3, 3), tuple(range(9)), unit="1"),
+                    OutputSpec("displacement", (3,), (0, 1, 2), unit="m"),
+                ),
+                83,
+            ),
         },
         family="link",
         picture="bar",
@@ -498,8 +571,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element beam
     "beam": ElementSpec(
         name="beam",
-        digest="70af5640a216e35f",
-        doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nd = xq - xp, l = |d|, el = d/l\nb1 = l - l0                 b2 = l0 (ez_p.ey_q - ey_p.ez_q)/2\nb3 = -l0 ez_p.el            b4 = l0 ez_q.el\nb5 = l0 ey_p.el             b6 = -l0 ey_q.el\nelongation = b1 + (2 b3^2 + b3 b4 + 2 b4^2 + 2 b5^2 + b5 b6 + 2 b6^2)/(30 l0)\ntorsion = b2 + (b4 b5 - b3 b6)/l0\nbend1, bend2 = b3 + k, b4 - k with k = b2 (b5 + b6)/(6 l0)\nbend3, bend4 = b5 - h, b6 + h with h = b2 (b3 + b4)/(6 l0)\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_y, phi_z) cubic shapes, torsion linear; w_p, w_q angular velocities in the triads\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
+        digest="55ad30541a85541d",
+        doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nd = xq - xp, l = |d|, el = d/l\nb1 = l - l0                 b2 = l0 (ez_p.ey_q - ey_p.ez_q)/2\nb3 = -l0 ez_p.el            b4 = l0 ez_q.el\nb5 = l0 ey_p.el             b6 = -l0 ey_q.el\nelongation = b1 + (2 b3^2 + b3 b4 + 2 b4^2 + 2 b5^2 + b5 b6 + 2 b6^2)/(30 l0)\ntorsion = b2 + (b4 b5 - b3 b6)/l0\nbend1, bend2 = b3 + k, b4 - k with k = b2 (b5 + b6)/(6 l0)\nbend3, bend4 = b5 - h, b6 + h with h = b2 (b3 + b4)/(6 l0)\nphi_y = 12 EIz/(GAy l0^2), phi_z = 12 EIy/(GAz l0^2): shear numbers of the deflections in y and z\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_y, phi_z) cubic shapes, torsion linear; w_p, w_q angular velocities in the triads\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)\nf = De'sigma: force_p, moment_p = -(R(u_p)'f_xp, L(u_p) (f_lambda_p o tp)/2), force_q, moment_q the same at q, without\n   the minus\naxis: places on the cubic axis; across: ey_p, ey_q\nshear_angle = |(phi_z/(1 + phi_z) (bend1 - bend2), phi_y/(1 + phi_y) (bend3 - bend4))|/(2 l0)",
         source="Meijaard 1996, Nonlinear Dyn. 9; Jonker and Meijaard 2013, Int. J. Non-Linear Mech. 53; Przemieniecki 1968 (mass with rotary inertia)",
         nodes=(
             NodeSpec("p", "point"),
@@ -513,8 +586,10 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("tq", 4, "1", "unit quaternion from the body frame of node q to the element's triad there"),
             ParameterSpec("rhoA", 1, "kg/m", "mass per length"),
             ParameterSpec("rhoJ", 3, "kg m", "mass moments of inertia per length about the axes of the section's triad"),
-            ParameterSpec("phi_y", 1, "1", "shear number of the deflection in y, 12 E Iz/(k G A l0^2)"),
-            ParameterSpec("phi_z", 1, "1", "shear number of the deflection in z, 12 E Iy/(k G A l0^2)"),
+            ParameterSpec("EIy", 1, "N m^2", "bending stiffness about y, of the deflection in z", sign=("not negative",)),
+            ParameterSpec("EIz", 1, "N m^2", "bending stiffness about z, of the deflection in y", sign=("not negative",)),
+            ParameterSpec("GAy", 1, "N", "shear stiffness k G A of the deflection in y; very large without shear", sign=("positive",)),
+            ParameterSpec("GAz", 1, "N", "shear stiffness k G A of the deflection in z; very large without shear", sign=("positive",)),
             ParameterSpec("gravity", 3, "m/s^2", "acceleration of gravity"),
         ),
         deformations=(
@@ -574,7 +649,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("f", (14,), tuple(range(14))),
                     OutputSpec("U", (1,), (0,)),
                 ),
-                2451,
+                2465,
             ),
             "tangent": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -582,7 +657,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("R_x", (14, 14), tuple(range(196))),
                     OutputSpec("R_v", (14, 14), tuple(range(196))),
                 ),
-                10161,
+                10175,
+            ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("force_p", (3,), (0, 1, 2), unit="N"),
+                    OutputSpec("moment_p", (3,), (0, 1, 2), unit="N m"),
+                    OutputSpec("force_q", (3,), (0, 1, 2), unit="N"),
+                    OutputSpec("moment_q", (3,), (0, 1, 2), unit="N m"),
+                    OutputSpec("shear_angle", (1,), (0,), unit="rad"),
+                    OutputSpec("axis", (17, 3), tuple(range(51)), unit="m", draws="beam"),
+                    OutputSpec("across", (2, 3), tuple(range(6)), unit="1"),
+                ),
+                979,
             ),
         },
         family="beam",
@@ -592,8 +680,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element beam_first_order
     "beam_first_order": ElementSpec(
         name="beam_first_order",
-        digest="696943da51e6adaa",
-        doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nd = xq - xp, l = |d|, el = d/l\nb1 = l - l0                 b2 = l0 (ez_p.ey_q - ey_p.ez_q)/2\nb3 = -l0 ez_p.el            b4 = l0 ez_q.el\nb5 = l0 ey_p.el             b6 = -l0 ey_q.el\nelongation, torsion, bend1, bend2, bend3, bend4 = b1, b2, b3, b4, b5, b6\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_y, phi_z) cubic shapes, torsion linear; w_p, w_q angular velocities in the triads\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
+        digest="3dd6337dec1e1649",
+        doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nd = xq - xp, l = |d|, el = d/l\nb1 = l - l0                 b2 = l0 (ez_p.ey_q - ey_p.ez_q)/2\nb3 = -l0 ez_p.el            b4 = l0 ez_q.el\nb5 = l0 ey_p.el             b6 = -l0 ey_q.el\nelongation, torsion, bend1, bend2, bend3, bend4 = b1, b2, b3, b4, b5, b6\nphi_y = 12 EIz/(GAy l0^2), phi_z = 12 EIy/(GAz l0^2): shear numbers of the deflections in y and z\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_y, phi_z) cubic shapes, torsion linear; w_p, w_q angular velocities in the triads\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)\nf = De'sigma: force_p, moment_p = -(R(u_p)'f_xp, L(u_p) (f_lambda_p o tp)/2), force_q, moment_q the same at q, without\n   the minus\naxis: places on the cubic axis; across: ey_p, ey_q\nshear_angle = |(phi_z/(1 + phi_z) (bend1 - bend2), phi_y/(1 + phi_y) (bend3 - bend4))|/(2 l0)",
         source="Meijaard 1996, Nonlinear Dyn. 9; Jonker and Meijaard 2013, Int. J. Non-Linear Mech. 53; Przemieniecki 1968 (mass with rotary inertia)",
         nodes=(
             NodeSpec("p", "point"),
@@ -607,8 +695,10 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("tq", 4, "1", "unit quaternion from the body frame of node q to the element's triad there"),
             ParameterSpec("rhoA", 1, "kg/m", "mass per length"),
             ParameterSpec("rhoJ", 3, "kg m", "mass moments of inertia per length about the axes of the section's triad"),
-            ParameterSpec("phi_y", 1, "1", "shear number of the deflection in y, 12 E Iz/(k G A l0^2)"),
-            ParameterSpec("phi_z", 1, "1", "shear number of the deflection in z, 12 E Iy/(k G A l0^2)"),
+            ParameterSpec("EIy", 1, "N m^2", "bending stiffness about y, of the deflection in z", sign=("not negative",)),
+            ParameterSpec("EIz", 1, "N m^2", "bending stiffness about z, of the deflection in y", sign=("not negative",)),
+            ParameterSpec("GAy", 1, "N", "shear stiffness k G A of the deflection in y; very large without shear", sign=("positive",)),
+            ParameterSpec("GAz", 1, "N", "shear stiffness k G A of the deflection in z; very large without shear", sign=("positive",)),
             ParameterSpec("gravity", 3, "m/s^2", "acceleration of gravity"),
         ),
         deformations=(
@@ -668,7 +758,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("f", (14,), tuple(range(14))),
                     OutputSpec("U", (1,), (0,)),
                 ),
-                2451,
+                2465,
             ),
             "tangent": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -676,7 +766,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("R_x", (14, 14), tuple(range(196))),
                     OutputSpec("R_v", (14, 14), tuple(range(196))),
                 ),
-                10161,
+                10175,
+            ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("force_p", (3,), (0, 1, 2), unit="N"),
+                    OutputSpec("moment_p", (3,), (0, 1, 2), unit="N m"),
+                    OutputSpec("force_q", (3,), (0, 1, 2), unit="N"),
+                    OutputSpec("moment_q", (3,), (0, 1, 2), unit="N m"),
+                    OutputSpec("shear_angle", (1,), (0,), unit="rad"),
+                    OutputSpec("axis", (17, 3), tuple(range(51)), unit="m", draws="beam"),
+                    OutputSpec("across", (2, 3), tuple(range(6)), unit="1"),
+                ),
+                881,
             ),
         },
         family="beam",
@@ -686,8 +789,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element beam_warping
     "beam_warping": ElementSpec(
         name="beam_warping",
-        digest="88817968812cebd6",
-        doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nd = xq - xp, l = |d|, el = d/l\nb1 = l - l0                 b2 = l0 (ez_p.ey_q - ey_p.ez_q)/2\nb3 = -l0 ez_p.el            b4 = l0 ez_q.el\nb5 = l0 ey_p.el             b6 = -l0 ey_q.el\nb7 = l0^2 wp - b2           b8 = l0^2 wq - b2           (wp, wq: twist per length at the ends)\nelongation = b1 + (2 b3^2 + b3 b4 + 2 b4^2 + 2 b5^2 + b5 b6 + 2 b6^2)/(30 l0)\n             + polar/(2 l0^3) (b2^2 + (2 b7^2 - b7 b8 + 2 b8^2)/15)\ntorsion = b2 + (b4 b5 - b3 b6)/l0\nbend1 = b3 + k + (3 b5 b7 - (b5 + b6) b8)/(30 l0)    with k = b2 (b5 + b6)/(6 l0)\nbend2 = b4 - k + ((b5 + b6) b7 - 3 b6 b8)/(30 l0)\nbend3 = b5 - h - (3 b3 b7 - (b3 + b4) b8)/(30 l0)    with h = b2 (b3 + b4)/(6 l0)\nbend4 = b6 + h - ((b3 + b4) b7 - 3 b4 b8)/(30 l0)\nwarp1 = l0^2 wp - torsion   warp2 = l0^2 wq - torsion: zero in uniform torsion\nthe angle of twist is cubic with the ends' twist per length; the strain energy of torsion, from the beam's law, is\n    GJ/(2 l0^3) (torsion^2 + (2 warp1^2 - warp1 warp2 + 2 warp2^2)/15)\n    + 2 E Iw/l0^5 (warp1^2 + warp1 warp2 + warp2^2)\nT: as the beam, its twist cubic with the rates of wp, wq, plus rhoIw/2 times the integral of the square of the\n   rate of twist per length\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
+        digest="5a1cd782ba5dc7c6",
+        doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nd = xq - xp, l = |d|, el = d/l\nb1 = l - l0                 b2 = l0 (ez_p.ey_q - ey_p.ez_q)/2\nb3 = -l0 ez_p.el            b4 = l0 ez_q.el\nb5 = l0 ey_p.el             b6 = -l0 ey_q.el\nphi_y = 12 EIz/(GAy l0^2), phi_z = 12 EIy/(GAz l0^2): shear numbers of the deflections in y and z\npolar = (EIy + EIz)/EA: square of the polar radius of gyration of the section\nb7 = l0^2 wp - b2           b8 = l0^2 wq - b2           (wp, wq: twist per length at the ends)\nelongation = b1 + (2 b3^2 + b3 b4 + 2 b4^2 + 2 b5^2 + b5 b6 + 2 b6^2)/(30 l0)\n             + polar/(2 l0^3) (b2^2 + (2 b7^2 - b7 b8 + 2 b8^2)/15)\ntorsion = b2 + (b4 b5 - b3 b6)/l0\nbend1 = b3 + k + (3 b5 b7 - (b5 + b6) b8)/(30 l0)    with k = b2 (b5 + b6)/(6 l0)\nbend2 = b4 - k + ((b5 + b6) b7 - 3 b6 b8)/(30 l0)\nbend3 = b5 - h - (3 b3 b7 - (b3 + b4) b8)/(30 l0)    with h = b2 (b3 + b4)/(6 l0)\nbend4 = b6 + h - ((b3 + b4) b7 - 3 b4 b8)/(30 l0)\nwarp1 = l0^2 wp - torsion   warp2 = l0^2 wq - torsion: zero in uniform torsion\nthe angle of twist is cubic with the ends' twist per length; the strain energy of torsion, from the beam's laws, is\n    GJ/(2 l0^3) (torsion^2 + (2 warp1^2 - warp1 warp2 + 2 warp2^2)/15)\n    + 2 E Iw/l0^5 (warp1^2 + warp1 warp2 + warp2^2)\nT: as the beam, its twist cubic with the rates of wp, wq, plus rhoIw/2 times the integral of the square of the\n   rate of twist per length\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)\nf = De'sigma: force_p, moment_p = -(R(u_p)'f_xp, L(u_p) (f_lambda_p o tp)/2), force_q, moment_q the same at q, without\n   the minus\naxis: places on the cubic axis; across: ey_p, ey_q\nbimoment_p = -f_wp, bimoment_q = f_wq\nshear_angle = |(phi_z/(1 + phi_z) (bend1 - bend2), phi_y/(1 + phi_y) (bend3 - bend4))|/(2 l0)",
         source="Vlasov 1961, Thin-walled elastic beams; Wagner 1929 (twist and axial force); Jonker 2021 (warping coordinates)",
         nodes=(
             NodeSpec("p", "point"),
@@ -704,9 +807,11 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("rhoA", 1, "kg/m", "mass per length"),
             ParameterSpec("rhoJ", 3, "kg m", "mass moments of inertia per length about the axes of the section's triad"),
             ParameterSpec("rhoIw", 1, "kg m^3", "warping inertia per length, density times the warping constant"),
-            ParameterSpec("polar", 1, "m^2", "square of the polar radius of gyration of the section, (Iy + Iz)/A"),
-            ParameterSpec("phi_y", 1, "1", "shear number of the deflection in y, 12 E Iz/(k G A l0^2)"),
-            ParameterSpec("phi_z", 1, "1", "shear number of the deflection in z, 12 E Iy/(k G A l0^2)"),
+            ParameterSpec("EA", 1, "N", "axial stiffness", sign=("positive",)),
+            ParameterSpec("EIy", 1, "N m^2", "bending stiffness about y, of the deflection in z", sign=("not negative",)),
+            ParameterSpec("EIz", 1, "N m^2", "bending stiffness about z, of the deflection in y", sign=("not negative",)),
+            ParameterSpec("GAy", 1, "N", "shear stiffness k G A of the deflection in y; very large without shear", sign=("positive",)),
+            ParameterSpec("GAz", 1, "N", "shear stiffness k G A of the deflection in z; very large without shear", sign=("positive",)),
             ParameterSpec("gravity", 3, "m/s^2", "acceleration of gravity"),
         ),
         deformations=(
@@ -728,7 +833,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("De", (8, 16), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 110, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125, 127)),
                     OutputSpec("V", (0, 16), ()),
                 ),
-                1049,
+                1052,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -736,14 +841,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("g", (8,), tuple(range(8))),
                     OutputSpec("gs", (0,), ()),
                 ),
-                770,
+                773,
             ),
             "rates": KernelSpec(
                 ("x", "v", "p"),
                 (
                     OutputSpec("Phi_x", (8, 16), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125)),
                 ),
-                2154,
+                2157,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -751,14 +856,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("Psi_x", (8, 16), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125)),
                     OutputSpec("Psi_v", (8, 16), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125)),
                 ),
-                5864,
+                5867,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
                 (
                     OutputSpec("K", (16, 16), tuple(range(256))),
                 ),
-                3185,
+                3188,
             ),
             "inertia": KernelSpec(
                 ("x", "v", "p"),
@@ -768,7 +873,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("f", (16,), tuple(range(14))),
                     OutputSpec("U", (1,), (0,)),
                 ),
-                2630,
+                2642,
             ),
             "tangent": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -776,7 +881,22 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("R_x", (16, 16), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 91, 92, 93, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125, 128, 129, 130, 131, 132, 133, 134, 135, 136, 137, 138, 139, 140, 141, 144, 145, 146, 147, 148, 149, 150, 151, 152, 153, 154, 155, 156, 157, 160, 161, 162, 163, 164, 165, 166, 167, 168, 169, 170, 171, 172, 173, 176, 177, 178, 179, 180, 181, 182, 183, 184, 185, 186, 187, 188, 189, 192, 193, 194, 195, 196, 197, 198, 199, 200, 201, 202, 203, 204, 205, 208, 209, 210, 211, 212, 213, 214, 215, 216, 217, 218, 219, 220, 221, 227, 228, 229, 230, 234, 235, 236, 237, 243, 244, 245, 246, 250, 251, 252, 253)),
                     OutputSpec("R_v", (16, 16), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 71, 72, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 91, 92, 93, 94, 95, 96, 97, 98, 99, 100, 101, 102, 103, 104, 105, 106, 107, 108, 109, 110, 111, 112, 113, 114, 115, 116, 117, 118, 119, 120, 121, 122, 123, 124, 125, 128, 129, 130, 131, 132, 133, 134, 135, 136, 137, 138, 139, 140, 141, 144, 145, 146, 147, 148, 149, 150, 151, 152, 153, 154, 155, 156, 157, 160, 161, 162, 163, 164, 165, 166, 167, 168, 169, 170, 171, 172, 173, 174, 175, 176, 177, 178, 179, 180, 181, 182, 183, 184, 185, 186, 187, 188, 189, 190, 191, 192, 193, 194, 195, 196, 197, 198, 199, 200, 201, 202, 203, 204, 205, 206, 207, 208, 209, 210, 211, 212, 213, 214, 215, 216, 217, 218, 219, 220, 221, 222, 223)),
                 ),
-                10628,
+                10640,
+            ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("force_p", (3,), (0, 1, 2), unit="N"),
+                    OutputSpec("moment_p", (3,), (0, 1, 2), unit="N m"),
+                    OutputSpec("bimoment_p", (1,), (0,), unit="N m^2"),
+                    OutputSpec("force_q", (3,), (0, 1, 2), unit="N"),
+                    OutputSpec("moment_q", (3,), (0, 1, 2), unit="N m"),
+                    OutputSpec("bimoment_q", (1,), (0,), unit="N m^2"),
+                    OutputSpec("shear_angle", (1,), (0,), unit="rad"),
+                    OutputSpec("axis", (17, 3), tuple(range(51)), unit="m", draws="beam"),
+                    OutputSpec("across", (2, 3), tuple(range(6)), unit="1"),
+                ),
+                1072,
             ),
         },
         family="beam",
@@ -786,8 +906,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element beam_logarithmic
     "beam_logarithmic": ElementSpec(
         name="beam_logarithmic",
-        digest="2d1c9e96861f9716",
-        doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nturn: rotation vector of R(u_p)'R(u_q), below half a turn; R_m = R(u_p) exp(turn/2), the triad halfway\ns = 1/24 - turn.turn/1920 + (turn.turn)^2/322560\nstraight = R_m'(xq - xp) - l0 s turn x (turn x (1, 0, 0)): the chord without what uniform strains do to it\nbow_z = straight_y/(phi_y l0 + |straight|),  bow_y = -straight_z/(phi_z l0 + |straight|):\n    mean angles of the sections about z and y from the triad halfway; the shear angles are phi_y bow_z, -phi_z bow_y\nbent = turn + turn x (0, bow_y, bow_z)\nelongation = straight_x + l0 ((3/5 + phi_z) bow_y^2 + (3/5 + phi_y) bow_z^2) - l0\ntorsion = l0 bent_x\nbend1, bend2 = l0 (bent_y/2 + (1 + phi_z) bow_y), l0 (bent_y/2 - (1 + phi_z) bow_y)\nbend3, bend4 = l0 (bent_z/2 + (1 + phi_y) bow_z), l0 (bent_z/2 - (1 + phi_y) bow_z)\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_y, phi_z) cubic shapes, torsion linear; w_p, w_q angular velocities in the triads\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
+        digest="296589920ef4198e",
+        doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nturn: rotation vector of R(u_p)'R(u_q), below half a turn; R_m = R(u_p) exp(turn/2), the triad halfway\nphi_y = 12 EIz/(GAy l0^2), phi_z = 12 EIy/(GAz l0^2): shear numbers of the deflections in y and z\ns = 1/24 - turn.turn/1920 + (turn.turn)^2/322560\nstraight = R_m'(xq - xp) - l0 s turn x (turn x (1, 0, 0)): the chord without what uniform strains do to it\nbow_z = straight_y/(phi_y l0 + |straight|),  bow_y = -straight_z/(phi_z l0 + |straight|):\n    mean angles of the sections about z and y from the triad halfway; the shear angles are phi_y bow_z, -phi_z bow_y\nbent = turn + turn x (0, bow_y, bow_z)\nelongation = straight_x + l0 ((3/5 + phi_z) bow_y^2 + (3/5 + phi_y) bow_z^2) - l0\ntorsion = l0 bent_x\nbend1, bend2 = l0 (bent_y/2 + (1 + phi_z) bow_y), l0 (bent_y/2 - (1 + phi_z) bow_y)\nbend3, bend4 = l0 (bent_z/2 + (1 + phi_y) bow_z), l0 (bent_z/2 - (1 + phi_y) bow_z)\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_y, phi_z) cubic shapes, torsion linear; w_p, w_q angular velocities in the triads\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)\nf = De'sigma: force_p, moment_p = -(R(u_p)'f_xp, L(u_p) (f_lambda_p o tp)/2), force_q, moment_q the same at q, without\n   the minus\naxis: places on the cubic axis; across: ey_p, ey_q",
         source="Simo 1985, Comput. Methods Appl. Mech. Eng. 49 (strains of a rod); Crisfield 1990 (triad halfway)",
         nodes=(
             NodeSpec("p", "point"),
@@ -801,8 +921,10 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("tq", 4, "1", "unit quaternion from the body frame of node q to the element's triad there"),
             ParameterSpec("rhoA", 1, "kg/m", "mass per length"),
             ParameterSpec("rhoJ", 3, "kg m", "mass moments of inertia per length about the axes of the section's triad"),
-            ParameterSpec("phi_y", 1, "1", "shear number of the deflection in y, 12 E Iz/(k G A l0^2)"),
-            ParameterSpec("phi_z", 1, "1", "shear number of the deflection in z, 12 E Iy/(k G A l0^2)"),
+            ParameterSpec("EIy", 1, "N m^2", "bending stiffness about y, of the deflection in z", sign=("not negative",)),
+            ParameterSpec("EIz", 1, "N m^2", "bending stiffness about z, of the deflection in y", sign=("not negative",)),
+            ParameterSpec("GAy", 1, "N", "shear stiffness k G A of the deflection in y; very large without shear", sign=("positive",)),
+            ParameterSpec("GAz", 1, "N", "shear stiffness k G A of the deflection in z; very large without shear", sign=("positive",)),
             ParameterSpec("gravity", 3, "m/s^2", "acceleration of gravity"),
         ),
         deformations=(
@@ -822,7 +944,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("De", (6, 14), tuple(range(84))),
                     OutputSpec("V", (0, 14), ()),
                 ),
-                2243,
+                2255,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -830,14 +952,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("g", (6,), tuple(range(6))),
                     OutputSpec("gs", (0,), ()),
                 ),
-                1225,
+                1237,
             ),
             "rates": KernelSpec(
                 ("x", "v", "p"),
                 (
                     OutputSpec("Phi_x", (6, 14), tuple(range(84))),
                 ),
-                5585,
+                5595,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -845,14 +967,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("Psi_x", (6, 14), tuple(range(84))),
                     OutputSpec("Psi_v", (6, 14), tuple(range(84))),
                 ),
-                17626,
+                17638,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
                 (
                     OutputSpec("K", (14, 14), tuple(range(196))),
                 ),
-                6112,
+                6124,
             ),
             "inertia": KernelSpec(
                 ("x", "v", "p"),
@@ -862,7 +984,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("f", (14,), tuple(range(14))),
                     OutputSpec("U", (1,), (0,)),
                 ),
-                2437,
+                2451,
             ),
             "tangent": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -870,7 +992,19 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("R_x", (14, 14), tuple(range(196))),
                     OutputSpec("R_v", (14, 14), tuple(range(196))),
                 ),
-                10147,
+                10161,
+            ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("force_p", (3,), (0, 1, 2), unit="N"),
+                    OutputSpec("moment_p", (3,), (0, 1, 2), unit="N m"),
+                    OutputSpec("force_q", (3,), (0, 1, 2), unit="N"),
+                    OutputSpec("moment_q", (3,), (0, 1, 2), unit="N m"),
+                    OutputSpec("axis", (17, 3), tuple(range(51)), unit="m", draws="beam"),
+                    OutputSpec("across", (2, 3), tuple(range(6)), unit="1"),
+                ),
+                1247,
             ),
         },
         family="beam",
@@ -880,8 +1014,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element wheel
     "wheel": ElementSpec(
         name="wheel",
-        digest="c0b8f4837442dae8",
-        doc="w hub, c contact point, d = xc - xw, a = R(lambda) axle, n = normal, ra = d x a\nradius = (d.d - R^2)/(2 R),  plane = a.d,  surface = n.xc - height,  lowest = n.ra\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x d, the material point in contact\nlongitudinal = ra.vc/|ra|,  lateral = (n x ra).vc/|n x ra|,  spin = omega.n",
+        digest="605f1285860eecf4",
+        doc="w hub, c contact point, d = xc - xw, a = R(lambda) axle, n = normal, ra = d x a\nradius = (d.d - R^2)/(2 R),  plane = a.d,  surface = n.xc - height,  lowest = n.ra\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x d, the material point in contact\nlongitudinal = ra.vc/|ra|,  lateral = (n x ra).vc/|n x ra|,  spin = omega.n\nforce: of the road on hub and contact point\norigin: xw, axes: columns of R(lambda) in rows: the frame that carries what a picture shows",
         source="Meijaard, Papadopoulos, Ruina and Schwab 2007, Proc. R. Soc. A 463:1955, supplement, WHEEL",
         nodes=(
             NodeSpec("w", "point"),
@@ -944,6 +1078,15 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("K", (10, 10), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 49, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 73, 74, 75, 76, 77, 81, 83, 84, 85, 86, 88, 92, 93, 94, 95, 96, 99)),
                 ),
                 807,
+            ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("force", (3,), (0, 1, 2), unit="N"),
+                    OutputSpec("origin", (3,), (0, 1, 2), unit="m"),
+                    OutputSpec("axes", (3, 3), tuple(range(9)), unit="1"),
+                ),
+                136,
             ),
         },
         family="wheel",
@@ -1013,8 +1156,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element toroidal_wheel
     "toroidal_wheel": ElementSpec(
         name="toroidal_wheel",
-        digest="3f07eb2a0344c818",
-        doc="w hub, c contact point, d = xc + crown n - xw from the hub to the centre of the tube above the contact,\na = R(lambda) axle, n = normal, ra = d x a, rim = R - crown\nradius = (d.d - rim^2)/(2 rim),  plane = a.d,  surface = n.xc - height,  lowest = n.ra\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x (xc - xw), the material point in contact\nlongitudinal = ra.vc/|ra|,  lateral = (n x ra).vc/|n x ra|,  spin = omega.n",
+        digest="d76eaa28e8e36001",
+        doc="w hub, c contact point, d = xc + crown n - xw from the hub to the centre of the tube above the contact,\na = R(lambda) axle, n = normal, ra = d x a, rim = R - crown\nradius = (d.d - rim^2)/(2 rim),  plane = a.d,  surface = n.xc - height,  lowest = n.ra\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x (xc - xw), the material point in contact\nlongitudinal = ra.vc/|ra|,  lateral = (n x ra).vc/|n x ra|,  spin = omega.n\nforce: of the road on hub and contact point\norigin: xw, axes: columns of R(lambda) in rows: the frame that carries what a picture shows",
         source="Schwab and Meijaard 1999, ASME DETC99/VIB-8223 (wheel element); the crown lifts the contact off the rim's circle",
         nodes=(
             NodeSpec("w", "point"),
@@ -1079,6 +1222,15 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 814,
             ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("force", (3,), (0, 1, 2), unit="N"),
+                    OutputSpec("origin", (3,), (0, 1, 2), unit="m"),
+                    OutputSpec("axes", (3, 3), tuple(range(9)), unit="1"),
+                ),
+                143,
+            ),
         },
         family="wheel",
         picture="wheel",
@@ -1086,8 +1238,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element tyre
     "tyre": ElementSpec(
         name="tyre",
-        digest="b88bbbe386d482df",
-        doc="w wheel centre, a = R(lambda) axle, n = normal of the road below w, h = distance of w from the tangent plane\nan = |a x n|,  ex = a x n/an forward,  ey = n x ex sideways\nlength = (h - crown)/an in the plane of the wheel\nr = -length (n - (a.n) a)/an - crown n, from the centre to the contact point\ndeflection = R - crown - (h - crown)/an;  drop = R - h;  camber = atan2(a.n, an)\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x r, the material point in contact\nforward = ex.xdot_w,  sideways = ey.xdot_w,  rolling = omega.a,\nlongitudinal = ex.vc,  lateral = ey.vc,  spin = omega.n",
+        digest="505b315469f7be5b",
+        doc="w wheel centre, a = R(lambda) axle, n = normal of the road below w, h = distance of w from the tangent plane\nan = |a x n|,  ex = a x n/an forward,  ey = n x ex sideways\nlength = (h - crown)/an in the plane of the wheel\nr = -length (n - (a.n) a)/an - crown n, from the centre to the contact point\ndeflection = R - crown - (h - crown)/an;  drop = R - h;  camber = atan2(a.n, an)\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x r, the material point in contact\nforward = ex.xdot_w,  sideways = ey.xdot_w,  rolling = omega.a,\nlongitudinal = ex.vc,  lateral = ey.vc,  spin = omega.n\norigin: w, axes: columns of R(lambda) in rows: the frame that carries what a picture shows",
         source="Frik, Leister, Schwartz 1993, Vehicle System Dynamics 22 suppl. (frames and slip angle of the wheel)",
         nodes=(
             NodeSpec("w", "point"),
@@ -1153,6 +1305,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 1226,
             ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("origin", (3,), (0, 1, 2), unit="m"),
+                    OutputSpec("axes", (3, 3), tuple(range(9)), unit="1"),
+                ),
+                31,
+            ),
         },
         family="tyre",
         picture="tyre",
@@ -1160,8 +1320,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element tyre_on_road
     "tyre_on_road": ElementSpec(
         name="tyre_on_road",
-        digest="20f7aca61131af30",
-        doc="road: z = height + amplitude (1 - cos(2 pi s/wavelength))/2 with s = heading.(x, y) - start between 0 and\nwaves wavelength, z = height elsewhere (C1 at the ends, smooth between);  z up\nthe springs count the vertical distance, so that their force is normal to the road\nw wheel centre, a = R(lambda) axle, n = normal of the road below w, h = distance of w from the tangent plane\nan = |a x n|,  ex = a x n/an forward,  ey = n x ex sideways\nlength = (h - crown)/an in the plane of the wheel\nr = -length (n - (a.n) a)/an - crown n, from the centre to the contact point\ndeflection = R - crown - ((w_z - z) - crown)/an;  drop = R - (w_z - z);  camber = atan2(a.n, an)\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x r, the material point in contact\nforward = ex.xdot_w,  sideways = ey.xdot_w,  rolling = omega.a,\nlongitudinal = ex.vc,  lateral = ey.vc,  spin = omega.n\ngrade = slope of the road along ex, rise for horizontal length times |horizontal part of ex|",
+        digest="964aa91b3a82b306",
+        doc="road: z = height + amplitude (1 - cos(2 pi s/wavelength))/2 with s = heading.(x, y) - start between 0 and\nwaves wavelength, z = height elsewhere (C1 at the ends, smooth between);  z up\nthe springs count the vertical distance, so that their force is normal to the road\nw wheel centre, a = R(lambda) axle, n = normal of the road below w, h = distance of w from the tangent plane\nan = |a x n|,  ex = a x n/an forward,  ey = n x ex sideways\nlength = (h - crown)/an in the plane of the wheel\nr = -length (n - (a.n) a)/an - crown n, from the centre to the contact point\ndeflection = R - crown - ((w_z - z) - crown)/an;  drop = R - (w_z - z);  camber = atan2(a.n, an)\nomega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x r, the material point in contact\nforward = ex.xdot_w,  sideways = ey.xdot_w,  rolling = omega.a,\nlongitudinal = ex.vc,  lateral = ey.vc,  spin = omega.n\ngrade = slope of the road along ex, rise for horizontal length times |horizontal part of ex|\norigin: w, axes: columns of R(lambda) in rows: the frame that carries what a picture shows",
         source="Frik, Leister, Schwartz 1993, Vehicle System Dynamics 22 suppl. (frames and slip angle of the wheel)",
         nodes=(
             NodeSpec("w", "point"),
@@ -1231,6 +1391,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("K", (7, 7), (0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48)),
                 ),
                 1857,
+            ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("origin", (3,), (0, 1, 2), unit="m"),
+                    OutputSpec("axes", (3, 3), tuple(range(9)), unit="1"),
+                ),
+                31,
             ),
         },
         family="tyre",
@@ -1612,8 +1780,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element skate
     "skate": ElementSpec(
         name="skate",
-        digest="63ffbad555510bf5",
-        doc="b = R(lambda) blade, n = normal, ey = (n x b)/|n x b|, ex = ey x n\nsurface = n.x - height,  forward = ex.v,  lateral = ey.v",
+        digest="824aba72e9635077",
+        doc="b = R(lambda) blade, n = normal, ey = (n x b)/|n x b|, ex = ey x n\nsurface = n.x - height,  forward = ex.v,  lateral = ey.v\nahead: b\norigin: x, axes: columns of R(lambda) in rows: the frame that carries what a picture shows",
         source="Chaplygin 1911, sleigh; Neimark and Fufaev 1972, Dynamics of Nonholonomic Systems",
         nodes=(
             NodeSpec("p", "point"),
@@ -1671,14 +1839,23 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 254,
             ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("ahead", (3,), (0, 1, 2), unit="1"),
+                    OutputSpec("origin", (3,), (0, 1, 2), unit="m"),
+                    OutputSpec("axes", (3, 3), tuple(range(9)), unit="1"),
+                ),
+                49,
+            ),
         },
         picture="blade",
     ),
     # element roller_cam
     "roller_cam": ElementSpec(
         name="roller_cam",
-        digest="daab8fbbccc939a8",
-        doc="(a, b) = components of xq - xp on ex, ey, columns of R(lambda_p o tp), r = sqrt(a^2 + b^2), theta = atan2(b, a)\nu = 48 theta/(2 pi), between i and i + 1; t = u - i\noutline = sum over j = 0 ... 5 of control[(i + j - 2) mod 48] B_j(t), uniform B-splines of degree five\ngap = r - outline",
+        digest="9c29ee562da22bca",
+        doc="(a, b) = components of xq - xp on ex, ey, columns of R(lambda_p o tp), r = sqrt(a^2 + b^2), theta = atan2(b, a)\nu = 48 theta/(2 pi), between i and i + 1; t = u - i\noutline = sum over j = 0 ... 5 of control[(i + j - 2) mod 48] B_j(t), uniform B-splines of degree five\ngap = r - outline\nprofile: places outline (cos theta, sin theta) at the knots;  mark: from the centre to its start\norigin: xp, axes: ex, ey, columns of R(lambda_p o tp) in rows: the frame that carries what a picture shows",
         source="pitch curve of a radial cam; de Boor 1978, A Practical Guide to Splines",
         nodes=(
             NodeSpec("p", "point"),
@@ -1733,14 +1910,23 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 1155,
             ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("profile", (49, 3), (0, 3, 4, 6, 7, 9, 10, 12, 13, 15, 16, 18, 19, 21, 22, 24, 25, 27, 28, 30, 31, 33, 34, 37, 39, 40, 42, 43, 45, 46, 48, 49, 51, 52, 54, 55, 57, 58, 60, 61, 63, 64, 66, 67, 69, 70, 72, 75, 76, 78, 79, 81, 82, 84, 85, 87, 88, 90, 91, 93, 94, 96, 97, 99, 100, 102, 103, 105, 106, 109, 111, 112, 114, 115, 117, 118, 120, 121, 123, 124, 126, 127, 129, 130, 132, 133, 135, 136, 138, 139, 141, 142, 144), unit="m", draws="rim", carrier=("origin", "axes")),
+                    OutputSpec("mark", (2, 3), (3,), unit="m", draws="valve", carrier=("origin", "axes")),
+                    OutputSpec("origin", (3,), (0, 1, 2), unit="m"),
+                    OutputSpec("axes", (3, 3), tuple(range(9)), unit="1"),
+                ),
+                640,
+            ),
         },
-        picture="cam",
     ),
     # element flat_cam
     "flat_cam": ElementSpec(
         name="flat_cam",
-        digest="8e6868f82116424d",
-        doc="n: normal of the face, first column of R(lambda_q o tq);  (a, b) = components of n on ex, ey, columns of R(lambda_p o tp)\npsi = atan2(b, a), u = 48 psi/(2 pi), between i and i + 1; t = u - i\nh = sum over j = 0 ... 5 of control[(i + j - 2) mod 48] B_j(t), uniform B-splines of degree five\ngap = n.(xq - xp) - h sqrt(a^2 + b^2)",
+        digest="a75ed7031e8d83a9",
+        doc="n: normal of the face, first column of R(lambda_q o tq);  (a, b) = components of n on ex, ey, columns of R(lambda_p o tp)\npsi = atan2(b, a), u = 48 psi/(2 pi), between i and i + 1; t = u - i\nh = sum over j = 0 ... 5 of control[(i + j - 2) mod 48] B_j(t), uniform B-splines of degree five\ngap = n.(xq - xp) - h sqrt(a^2 + b^2)\nprofile: places h (cos psi, sin psi) + h' (-sin psi, cos psi) at the knots;  mark: from the centre to its start\nface: line across n, to both sides 1.2 times as far as the contact travels\norigin_p: xp, axes_p: ex, ey, columns of R(lambda_p o tp) in rows: the frame that carries profile and mark\norigin_q: xq, axes_q: n and the directions across it in rows: the frame that carries the face",
         source="support function of a convex cam; de Boor 1978, A Practical Guide to Splines",
         nodes=(
             NodeSpec("p", "point"),
@@ -1797,14 +1983,26 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 1967,
             ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("profile", (49, 3), (0, 1, 3, 4, 6, 7, 9, 10, 12, 13, 15, 16, 18, 19, 21, 22, 24, 25, 27, 28, 30, 31, 33, 34, 36, 37, 39, 40, 42, 43, 45, 46, 48, 49, 51, 52, 54, 55, 57, 58, 60, 61, 63, 64, 66, 67, 69, 70, 72, 73, 75, 76, 78, 79, 81, 82, 84, 85, 87, 88, 90, 91, 93, 94, 96, 97, 99, 100, 102, 103, 105, 106, 108, 109, 111, 112, 114, 115, 117, 118, 120, 121, 123, 124, 126, 127, 129, 130, 132, 133, 135, 136, 138, 139, 141, 142, 144, 145), unit="m", draws="rim", carrier=("origin_p", "axes_p")),
+                    OutputSpec("mark", (2, 3), (3, 4), unit="m", draws="valve", carrier=("origin_p", "axes_p")),
+                    OutputSpec("face", (2, 3), (1, 4), unit="m", draws="rim", carrier=("origin_q", "axes_q")),
+                    OutputSpec("origin_p", (3,), (0, 1, 2), unit="m"),
+                    OutputSpec("axes_p", (3, 3), tuple(range(9)), unit="1"),
+                    OutputSpec("origin_q", (3,), (0, 1, 2), unit="m"),
+                    OutputSpec("axes_q", (3, 3), tuple(range(9)), unit="1"),
+                ),
+                1245,
+            ),
         },
-        picture="flat cam",
     ),
     # element planar_point_mass
     "planar_point_mass": ElementSpec(
         name="planar_point_mass",
-        digest="3422bb7cc702242c",
-        doc="T = mass v.v/2\nU = -mass gravity.x",
+        digest="bde70fc4ce29a2a0",
+        doc="T = mass v.v/2\nU = -mass gravity.x\nplace: x",
         source="textbook mechanics",
         nodes=(
             NodeSpec("p", "planar_point"),
@@ -1834,15 +2032,21 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 0,
             ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("place", (2,), (0, 1), unit="m", draws="mass"),
+                ),
+                0,
+            ),
         },
         family="body",
-        picture="mass",
     ),
     # element planar_body
     "planar_body": ElementSpec(
         name="planar_body",
-        digest="572d04c3f070df03",
-        doc="b = R(angle) c,  vc = xdot + angledot (-b_y, b_x), velocity of the mass centre\nT = mass vc.vc/2 + J angledot^2/2\nU = -mass gravity.(x + b)",
+        digest="4ae58659751f332a",
+        doc="b = R(angle) c,  vc = xdot + angledot (-b_y, b_x), velocity of the mass centre\nT = mass vc.vc/2 + J angledot^2/2\nU = -mass gravity.(x + b)\ncentre: x + b\norigin: x, axes: columns of R(angle) in rows: the frame that carries what a picture shows",
         source="textbook mechanics",
         nodes=(
             NodeSpec("p", "planar_point"),
@@ -1874,6 +2078,15 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("R_v", (3, 3), (2, 5, 6, 7, 8)),
                 ),
                 90,
+            ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("centre", (2,), (0, 1), unit="m", draws="mass"),
+                    OutputSpec("origin", (2,), (0, 1), unit="m"),
+                    OutputSpec("axes", (2, 2), (0, 1, 2, 3), unit="1"),
+                ),
+                11,
             ),
         },
         family="body",
@@ -2061,8 +2274,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_beam
     "planar_beam": ElementSpec(
         name="planar_beam",
-        digest="b8329e838ba43f24",
-        doc="ex, ey: directions of the element at p (angle_p + alpha0) and q (angle_q + alphaq0)\nd = xq - xp, l = |d|, el = d/l;  b1 = l - l0,  b5 = l0 ey_p.el,  b6 = -l0 ey_q.el\nelongation = b1 + (2 b5^2 + b5 b6 + 2 b6^2)/(30 l0),  bend1 = b5,  bend2 = b6\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_z) cubic shapes\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
+        digest="31b48c0de02e2d9e",
+        doc="ex, ey: directions of the element at p (angle_p + alpha0) and q (angle_q + alphaq0)\nd = xq - xp, l = |d|, el = d/l;  b1 = l - l0,  b5 = l0 ey_p.el,  b6 = -l0 ey_q.el\nelongation = b1 + (2 b5^2 + b5 b6 + 2 b6^2)/(30 l0),  bend1 = b5,  bend2 = b6\nphi_y = 12 EIz/(GAy l0^2): shear number\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_y) cubic shapes\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)\nf = De'sigma: force_p, moment_p = -(ex_p.f_xp, ey_p.f_xp), -f_angle_p; force_q, moment_q the same at q, without minus\naxis: places on the cubic axis; across: ey_p, ey_q\nshear_angle = |phi_y/(1 + phi_y) (bend1 - bend2)|/(2 l0)",
         source="SPACAR95 manual (Schwab and Meijaard 2000), PLBEAM, PLBEAMNL; signs of the spatial beam's b5, b6; Meijaard 1996, Nonlinear Dyn. 9",
         nodes=(
             NodeSpec("p", "planar_point"),
@@ -2076,7 +2289,8 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("alphaq0", 1, "rad", "initial direction of the element minus the angle of node q"),
             ParameterSpec("rhoA", 1, "kg/m", "mass per length"),
             ParameterSpec("rhoJ", 1, "kg m", "mass moment of inertia of the section per length"),
-            ParameterSpec("phi_z", 1, "1", "shear number of the deflection in the plane, 12 E I/(k G A l0^2)"),
+            ParameterSpec("EIz", 1, "N m^2", "bending stiffness about z, of the deflection in y", sign=("not negative",)),
+            ParameterSpec("GAy", 1, "N", "shear stiffness k G A of the deflection in y; very large without shear", sign=("positive",)),
             ParameterSpec("gravity", 2, "m/s^2", "acceleration of gravity"),
         ),
         deformations=(
@@ -2133,7 +2347,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("f", (6,), tuple(range(6))),
                     OutputSpec("U", (1,), (0,)),
                 ),
-                313,
+                321,
             ),
             "tangent": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -2141,7 +2355,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("R_x", (6, 6), tuple(range(36))),
                     OutputSpec("R_v", (6, 6), tuple(range(36))),
                 ),
-                745,
+                751,
+            ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("force_p", (2,), (0, 1), unit="N"),
+                    OutputSpec("moment_p", (1,), (0,), unit="N m"),
+                    OutputSpec("force_q", (2,), (0, 1), unit="N"),
+                    OutputSpec("moment_q", (1,), (0,), unit="N m"),
+                    OutputSpec("shear_angle", (1,), (0,), unit="rad"),
+                    OutputSpec("axis", (17, 2), tuple(range(34)), unit="m", draws="beam"),
+                    OutputSpec("across", (2, 2), (0, 1, 2, 3), unit="1"),
+                ),
+                332,
             ),
         },
         family="beam",
@@ -2151,8 +2378,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_beam_first_order
     "planar_beam_first_order": ElementSpec(
         name="planar_beam_first_order",
-        digest="98080376203386d5",
-        doc="ex, ey: directions of the element at p (angle_p + alpha0) and q (angle_q + alphaq0)\nd = xq - xp, l = |d|, el = d/l;  b1 = l - l0,  b5 = l0 ey_p.el,  b6 = -l0 ey_q.el\nelongation = b1,  bend1 = b5,  bend2 = b6\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_z) cubic shapes\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
+        digest="1c674b16c3cb596f",
+        doc="ex, ey: directions of the element at p (angle_p + alpha0) and q (angle_q + alphaq0)\nd = xq - xp, l = |d|, el = d/l;  b1 = l - l0,  b5 = l0 ey_p.el,  b6 = -l0 ey_q.el\nelongation = b1,  bend1 = b5,  bend2 = b6\nphi_y = 12 EIz/(GAy l0^2): shear number\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_y) cubic shapes\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)\nf = De'sigma: force_p, moment_p = -(ex_p.f_xp, ey_p.f_xp), -f_angle_p; force_q, moment_q the same at q, without minus\naxis: places on the cubic axis; across: ey_p, ey_q\nshear_angle = |phi_y/(1 + phi_y) (bend1 - bend2)|/(2 l0)",
         source="SPACAR95 manual (Schwab and Meijaard 2000), PLBEAM, PLBEAMNL; signs of the spatial beam's b5, b6; Meijaard 1996, Nonlinear Dyn. 9",
         nodes=(
             NodeSpec("p", "planar_point"),
@@ -2166,7 +2393,8 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("alphaq0", 1, "rad", "initial direction of the element minus the angle of node q"),
             ParameterSpec("rhoA", 1, "kg/m", "mass per length"),
             ParameterSpec("rhoJ", 1, "kg m", "mass moment of inertia of the section per length"),
-            ParameterSpec("phi_z", 1, "1", "shear number of the deflection in the plane, 12 E I/(k G A l0^2)"),
+            ParameterSpec("EIz", 1, "N m^2", "bending stiffness about z, of the deflection in y", sign=("not negative",)),
+            ParameterSpec("GAy", 1, "N", "shear stiffness k G A of the deflection in y; very large without shear", sign=("positive",)),
             ParameterSpec("gravity", 2, "m/s^2", "acceleration of gravity"),
         ),
         deformations=(
@@ -2223,7 +2451,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("f", (6,), tuple(range(6))),
                     OutputSpec("U", (1,), (0,)),
                 ),
-                313,
+                321,
             ),
             "tangent": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -2231,7 +2459,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("R_x", (6, 6), tuple(range(36))),
                     OutputSpec("R_v", (6, 6), tuple(range(36))),
                 ),
-                745,
+                751,
+            ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("force_p", (2,), (0, 1), unit="N"),
+                    OutputSpec("moment_p", (1,), (0,), unit="N m"),
+                    OutputSpec("force_q", (2,), (0, 1), unit="N"),
+                    OutputSpec("moment_q", (1,), (0,), unit="N m"),
+                    OutputSpec("shear_angle", (1,), (0,), unit="rad"),
+                    OutputSpec("axis", (17, 2), tuple(range(34)), unit="m", draws="beam"),
+                    OutputSpec("across", (2, 2), (0, 1, 2, 3), unit="1"),
+                ),
+                316,
             ),
         },
         family="beam",
@@ -2241,8 +2482,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_beam_logarithmic
     "planar_beam_logarithmic": ElementSpec(
         name="planar_beam_logarithmic",
-        digest="ffac77bb15f5efbb",
-        doc="ex, ey: directions of the element at p (angle_p + alpha0) and q (angle_q + alphaq0)\nturn = angle_q + alphaq0 - angle_p - alpha0;  along, across: components of xq - xp on the direction halfway\nstraight = (along + l0 turn^2 (1/24 - turn^2/1920 + turn^4/322560), across): the chord without what uniform bending\n      takes from it\nbow = across/(phi_z l0 + |straight|): mean angle of the sections from the direction halfway; the shear angle is\n      phi_z bow\nelongation = straight_x + l0 (3/5 + phi_z) bow^2 - l0\nbend1, bend2 = l0 (turn/2 + (1 + phi_z) bow), l0 (turn/2 - (1 + phi_z) bow)\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_z) cubic shapes\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)",
+        digest="049e53572cf8de73",
+        doc="ex, ey: directions of the element at p (angle_p + alpha0) and q (angle_q + alphaq0)\nphi_y = 12 EIz/(GAy l0^2): shear number\nturn = angle_q + alphaq0 - angle_p - alpha0;  along, across: components of xq - xp on the direction halfway\nstraight = (along + l0 turn^2 (1/24 - turn^2/1920 + turn^4/322560), across): the chord without what uniform bending\n      takes from it\nbow = across/(phi_y l0 + |straight|): mean angle of the sections from the direction halfway; the shear angle is\n      phi_y bow\nelongation = straight_x + l0 (3/5 + phi_y) bow^2 - l0\nbend1, bend2 = l0 (turn/2 + (1 + phi_y) bow), l0 (turn/2 - (1 + phi_y) bow)\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_y) cubic shapes\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)\nf = De'sigma: force_p, moment_p = -(ex_p.f_xp, ey_p.f_xp), -f_angle_p; force_q, moment_q the same at q, without minus\naxis: places on the cubic axis; across: ey_p, ey_q",
         source="Reissner 1972, ZAMP 23 (strains of a rod); corotational directions as Crisfield 1990",
         nodes=(
             NodeSpec("p", "planar_point"),
@@ -2256,7 +2497,8 @@ ELEMENTS: dict[str, ElementSpec] = {
             ParameterSpec("alphaq0", 1, "rad", "initial direction of the element minus the angle of node q"),
             ParameterSpec("rhoA", 1, "kg/m", "mass per length"),
             ParameterSpec("rhoJ", 1, "kg m", "mass moment of inertia of the section per length"),
-            ParameterSpec("phi_z", 1, "1", "shear number of the deflection in the plane, 12 E I/(k G A l0^2)"),
+            ParameterSpec("EIz", 1, "N m^2", "bending stiffness about z, of the deflection in y", sign=("not negative",)),
+            ParameterSpec("GAy", 1, "N", "shear stiffness k G A of the deflection in y; very large without shear", sign=("positive",)),
             ParameterSpec("gravity", 2, "m/s^2", "acceleration of gravity"),
         ),
         deformations=(
@@ -2273,7 +2515,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("De", (3, 6), tuple(range(18))),
                     OutputSpec("V", (0, 6), ()),
                 ),
-                103,
+                110,
             ),
             "acceleration": KernelSpec(
                 ("x", "v", "p"),
@@ -2281,14 +2523,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("g", (3,), (0, 1, 2)),
                     OutputSpec("gs", (0,), ()),
                 ),
-                156,
+                163,
             ),
             "rates": KernelSpec(
                 ("x", "v", "p"),
                 (
                     OutputSpec("Phi_x", (3, 6), tuple(range(18))),
                 ),
-                233,
+                241,
             ),
             "kinematics": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -2296,14 +2538,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("Psi_x", (3, 6), tuple(range(18))),
                     OutputSpec("Psi_v", (3, 6), tuple(range(18))),
                 ),
-                731,
+                739,
             ),
             "stiffness": KernelSpec(
                 ("x", "sigma", "tau", "p"),
                 (
                     OutputSpec("K", (6, 6), tuple(range(36))),
                 ),
-                219,
+                226,
             ),
             "inertia": KernelSpec(
                 ("x", "v", "p"),
@@ -2313,7 +2555,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("f", (6,), tuple(range(6))),
                     OutputSpec("U", (1,), (0,)),
                 ),
-                313,
+                321,
             ),
             "tangent": KernelSpec(
                 ("x", "v", "a", "p"),
@@ -2321,7 +2563,19 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("R_x", (6, 6), tuple(range(36))),
                     OutputSpec("R_v", (6, 6), tuple(range(36))),
                 ),
-                746,
+                752,
+            ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("force_p", (2,), (0, 1), unit="N"),
+                    OutputSpec("moment_p", (1,), (0,), unit="N m"),
+                    OutputSpec("force_q", (2,), (0, 1), unit="N"),
+                    OutputSpec("moment_q", (1,), (0,), unit="N m"),
+                    OutputSpec("axis", (17, 2), tuple(range(34)), unit="m", draws="beam"),
+                    OutputSpec("across", (2, 2), (0, 1, 2, 3), unit="1"),
+                ),
+                347,
             ),
         },
         family="beam",
@@ -2331,8 +2585,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_beam3
     "planar_beam3": ElementSpec(
         name="planar_beam3",
-        digest="fdc7aab0023accfd",
-        doc="ex, ey: directions of the element (angle_p + alpha0); d = xq - xp\nalong = ex.d - d0_x,  across = ey.d - d0_y\nT = rhoA l0/6 (vp.vp + vp.vq + vq.vq) + l0/2 rhoJ angledot^2, uniform bar\nU = -rhoA l0 gravity.(xp + xq)/2",
+        digest="c4683b4228b4747e",
+        doc="ex, ey: directions of the element (angle_p + alpha0); d = xq - xp\nalong = ex.d - d0_x,  across = ey.d - d0_y\nT = rhoA l0/6 (vp.vp + vp.vq + vq.vq) + l0/2 rhoJ angledot^2, uniform bar\nU = -rhoA l0 gravity.(xp + xq)/2\naxes: the directions in rows;  displacement: the deformations that are lengths",
         source="planar counterpart of beam3",
         nodes=(
             NodeSpec("p", "planar_point"),
@@ -2410,6 +2664,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 0,
             ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("axes", (2, 2), (0, 1, 2, 3), unit="1"),
+                    OutputSpec("displacement", (2,), (0, 1), unit="m"),
+                ),
+                14,
+            ),
         },
         family="link",
         picture="bar",
@@ -2418,8 +2680,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_bearing
     "planar_bearing": ElementSpec(
         name="planar_bearing",
-        digest="7925b4ae9c03247c",
-        doc="ex, ey: directions of the element (angle_p + alpha0); d = xq - xp\nalong = ex.d - d0_x,  across = ey.d - d0_y,  angle = angle_q - angle_p - offset0 (counts turns)",
+        digest="698413354c2bda26",
+        doc="ex, ey: directions of the element (angle_p + alpha0); d = xq - xp\nalong = ex.d - d0_x,  across = ey.d - d0_y,  angle = angle_q - angle_p - offset0 (counts turns)\naxes: the directions in rows;  displacement: the deformations that are lengths",
         source="SPACAR95 manual (Schwab and Meijaard 2000), PLBEAR",
         nodes=(
             NodeSpec("p", "planar_point"),
@@ -2478,14 +2740,22 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 23,
             ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("axes", (2, 2), (0, 1, 2, 3), unit="1"),
+                    OutputSpec("displacement", (2,), (0, 1), unit="m"),
+                ),
+                14,
+            ),
         },
         family="bearing",
     ),
     # element planar_belt
     "planar_belt": ElementSpec(
         name="planar_belt",
-        digest="9b08aa4e2767ad0c",
-        doc="d = xq - xp, psi its angle counted from psi0 (less than half a turn away)\nfree_length = sqrt(d.d - (radius_p - radius_q)^2), of the common tangent on the left of d\ntheta = psi - atan2(radius_p - radius_q, free_length), turn of the points of contact\nelongation = free_length + radius_p (angle_p - theta) - radius_q (angle_q - theta) - zero,\nperiod 2 pi (radius_p - radius_q): a turn of the line of centres, whose angle is a principal value",
+        digest="a35518cb77059eed",
+        doc="d = xq - xp, psi its angle counted from psi0 (less than half a turn away)\nfree_length = sqrt(d.d - (radius_p - radius_q)^2), of the common tangent on the left of d\ntheta = psi - atan2(radius_p - radius_q, free_length), turn of the points of contact\nelongation = free_length + radius_p (angle_p - theta) - radius_q (angle_q - theta) - zero,\nperiod 2 pi (radius_p - radius_q): a turn of the line of centres, whose angle is a principal value\nrun: from xp + radius_p left to xq + radius_q left, left the normal of the common tangent\norigin_p, axes_p, origin_q, axes_q: frames of both wheels at xp and xq, the axes in rows",
         source="SPACAR95 manual (Schwab and Meijaard 2000), PLBELT; terms in theta from the geometry: without them the tension would not act along the belt",
         nodes=(
             NodeSpec("p", "planar_point"),
@@ -2543,6 +2813,17 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 77,
             ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("run", (2, 2), (0, 1, 2, 3), unit="m", draws="bar"),
+                    OutputSpec("origin_p", (2,), (0, 1), unit="m"),
+                    OutputSpec("axes_p", (2, 2), (0, 1, 2, 3), unit="1"),
+                    OutputSpec("origin_q", (2,), (0, 1), unit="m"),
+                    OutputSpec("axes_q", (2, 2), (0, 1, 2, 3), unit="1"),
+                ),
+                32,
+            ),
         },
         family="belt",
         picture="belt",
@@ -2550,8 +2831,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_gear
     "planar_gear": ElementSpec(
         name="planar_gear",
-        digest="4973d6eac5494df8",
-        doc="d = xq - xp, psi its angle counted from offset0, period 2 pi\nmesh = (radius_p angle_p + radius_q angle_q)/(radius_p + radius_q) - psi, an angle, so that any number\nof turns of the line of centres can be counted; (radius_p + radius_q) mesh is the displacement of the teeth",
+        digest="9fe4207fe265122d",
+        doc="d = xq - xp, psi its angle counted from offset0, period 2 pi\nmesh = (radius_p angle_p + radius_q angle_q)/(radius_p + radius_q) - psi, an angle, so that any number\nof turns of the line of centres can be counted; (radius_p + radius_q) mesh is the displacement of the teeth\norigin_p, axes_p, origin_q, axes_q: frames of both wheels at xp and xq, the axes in rows",
         source="rolling of the pitch circles, radius_p (angle_p - psi) + radius_q (angle_q - psi) = const; UT SPACAR, GEAR",
         nodes=(
             NodeSpec("p", "planar_point"),
@@ -2608,6 +2889,16 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 53,
             ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("origin_p", (2,), (0, 1), unit="m"),
+                    OutputSpec("axes_p", (2, 2), (0, 1, 2, 3), unit="1"),
+                    OutputSpec("origin_q", (2,), (0, 1), unit="m"),
+                    OutputSpec("axes_q", (2, 2), (0, 1, 2, 3), unit="1"),
+                ),
+                6,
+            ),
         },
         family="gear",
         picture="gears",
@@ -2615,8 +2906,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_wheel
     "planar_wheel": ElementSpec(
         name="planar_wheel",
-        digest="55d3a7be73bd2035",
-        doc="ex, ey: direction of travel (angle_r + alpha0) and its normal; angle_s is the turn about the axle\nlongitudinal = ex.v - radius angledot_s,  lateral = ey.v",
+        digest="81738025e405e9ab",
+        doc="ex, ey: direction of travel (angle_r + alpha0) and its normal; angle_s is the turn about the axle\nlongitudinal = ex.v - radius angledot_s,  lateral = ey.v\naxes: of the wheel in space, in rows: a spoke, which turns from ex down, its normal, and the axle ey\norigin: x",
         source="SPACAR95 manual (Schwab and Meijaard 2000), PLWHEEL",
         nodes=(
             NodeSpec("p", "planar_point"),
@@ -2672,6 +2963,14 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 10,
             ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("origin", (2,), (0, 1), unit="m"),
+                    OutputSpec("axes", (3, 3), tuple(range(8)), unit="1"),
+                ),
+                14,
+            ),
         },
         family="wheel",
         picture="disc",
@@ -2679,8 +2978,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_skate
     "planar_skate": ElementSpec(
         name="planar_skate",
-        digest="e95f773889309b06",
-        doc="ex, ey: direction of the blade (angle + alpha0) and its normal;  forward = ex.v,  lateral = ey.v",
+        digest="3a6b635849de7b0a",
+        doc="ex, ey: direction of the blade (angle + alpha0) and its normal;  forward = ex.v,  lateral = ey.v\nahead: ex\norigin: x, axes: ex, ey in rows: the frame that carries what a picture shows",
         source="Chaplygin 1911, sleigh; Neimark and Fufaev 1972, Dynamics of Nonholonomic Systems",
         nodes=(
             NodeSpec("p", "planar_point"),
@@ -2734,14 +3033,23 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 10,
             ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("ahead", (2,), (0, 1), unit="1"),
+                    OutputSpec("origin", (2,), (0, 1), unit="m"),
+                    OutputSpec("axes", (2, 2), (0, 1, 2, 3), unit="1"),
+                ),
+                4,
+            ),
         },
         picture="blade",
     ),
     # element planar_roller_cam
     "planar_roller_cam": ElementSpec(
         name="planar_roller_cam",
-        digest="7a0670c019a4279f",
-        doc="(a, b) = components of xq - xp on ex, ey (angle_p + alpha0), r = sqrt(a^2 + b^2), theta = atan2(b, a)\nu = 48 theta/(2 pi), between i and i + 1; t = u - i\noutline = sum over j = 0 ... 5 of control[(i + j - 2) mod 48] B_j(t), uniform B-splines of degree five\ngap = r - outline",
+        digest="1eae1ec63a549f72",
+        doc="(a, b) = components of xq - xp on ex, ey (angle_p + alpha0), r = sqrt(a^2 + b^2), theta = atan2(b, a)\nu = 48 theta/(2 pi), between i and i + 1; t = u - i\noutline = sum over j = 0 ... 5 of control[(i + j - 2) mod 48] B_j(t), uniform B-splines of degree five\ngap = r - outline\nprofile: places outline (cos theta, sin theta) at the knots;  mark: from the centre to its start\norigin: xp, axes: ex, ey (angle_p + alpha0) in rows: the frame that carries what a picture shows",
         source="pitch curve of a radial cam; de Boor 1978, A Practical Guide to Splines",
         nodes=(
             NodeSpec("p", "planar_point"),
@@ -2796,14 +3104,23 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 650,
             ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("profile", (49, 2), (0, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 25, 26, 27, 28, 29, 30, 31, 32, 33, 34, 35, 36, 37, 38, 39, 40, 41, 42, 43, 44, 45, 46, 47, 48, 50, 51, 52, 53, 54, 55, 56, 57, 58, 59, 60, 61, 62, 63, 64, 65, 66, 67, 68, 69, 70, 71, 73, 74, 75, 76, 77, 78, 79, 80, 81, 82, 83, 84, 85, 86, 87, 88, 89, 90, 91, 92, 93, 94, 95, 96), unit="m", draws="rim", carrier=("origin", "axes")),
+                    OutputSpec("mark", (2, 2), (2,), unit="m", draws="valve", carrier=("origin", "axes")),
+                    OutputSpec("origin", (2,), (0, 1), unit="m"),
+                    OutputSpec("axes", (2, 2), (0, 1, 2, 3), unit="1"),
+                ),
+                585,
+            ),
         },
-        picture="cam",
     ),
     # element planar_flat_cam
     "planar_flat_cam": ElementSpec(
         name="planar_flat_cam",
-        digest="b3acdf81245f1bdb",
-        doc="n: normal of the face, direction angle_q + alphaq0;  (a, b) = components of n on ex, ey (angle_p + alpha0)\npsi = atan2(b, a), u = 48 psi/(2 pi), between i and i + 1; t = u - i\nh = sum over j = 0 ... 5 of control[(i + j - 2) mod 48] B_j(t), uniform B-splines of degree five\ngap = n.(xq - xp) - h",
+        digest="6268d8a8673441b2",
+        doc="n: normal of the face, direction angle_q + alphaq0;  (a, b) = components of n on ex, ey (angle_p + alpha0)\npsi = atan2(b, a), u = 48 psi/(2 pi), between i and i + 1; t = u - i\nh = sum over j = 0 ... 5 of control[(i + j - 2) mod 48] B_j(t), uniform B-splines of degree five\ngap = n.(xq - xp) - h\nprofile: places h (cos psi, sin psi) + h' (-sin psi, cos psi) at the knots;  mark: from the centre to its start\nface: line across n, to both sides 1.2 times as far as the contact travels\norigin_p: xp, axes_p: ex, ey (angle_p + alpha0) in rows: the frame that carries profile and mark\norigin_q: xq, axes_q: n and the directions across it in rows: the frame that carries the face",
         source="support function of a convex cam; de Boor 1978, A Practical Guide to Splines",
         nodes=(
             NodeSpec("p", "planar_point"),
@@ -2860,8 +3177,20 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 608,
             ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("profile", (49, 2), tuple(range(98)), unit="m", draws="rim", carrier=("origin_p", "axes_p")),
+                    OutputSpec("mark", (2, 2), (2, 3), unit="m", draws="valve", carrier=("origin_p", "axes_p")),
+                    OutputSpec("face", (2, 2), (1, 3), unit="m", draws="rim", carrier=("origin_q", "axes_q")),
+                    OutputSpec("origin_p", (2,), (0, 1), unit="m"),
+                    OutputSpec("axes_p", (2, 2), (0, 1, 2, 3), unit="1"),
+                    OutputSpec("origin_q", (2,), (0, 1), unit="m"),
+                    OutputSpec("axes_q", (2, 2), (0, 1, 2, 3), unit="1"),
+                ),
+                1135,
+            ),
         },
-        picture="flat cam",
     ),
     # element planar_body_velocity
     "planar_body_velocity": ElementSpec(
@@ -3051,8 +3380,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element cable
     "cable": ElementSpec(
         name="cable",
-        digest="50984630f72ad204",
-        doc="r(s): cubic Hermite curve with slopes dp, dq = dr/ds by the undeformed arc length s at the ends\nstrain1 = L/l0 - 1, the mean of |r'| - 1 by 3 Gauss points;  strain2 = (|dq| - |dp|)/2;\nstrain3 = (|dq| + |dp|)/2 - L/l0:  |r'| - 1 = strain1 + strain2 P1 + strain3 P2, Legendre's polynomials\ncurvature = (r' x r'')/|r'|^2, the turn by undeformed arc length, at 3 Gauss points\nwork: EA l0 (1, 1/3, 1/5) times the strains, EI times curvature and Gauss weight (of sum l0)\nT = rhoA/2 int rdot.rdot ds (constant mass matrix),  U = -rhoA gravity.int r ds",
+        digest="67c14ad02ffef3ec",
+        doc="r(s): cubic Hermite curve with slopes dp, dq = dr/ds by the undeformed arc length s at the ends\nstrain1 = L/l0 - 1, the mean of |r'| - 1 by 3 Gauss points;  strain2 = (|dq| - |dp|)/2;\nstrain3 = (|dq| + |dp|)/2 - L/l0:  |r'| - 1 = strain1 + strain2 P1 + strain3 P2, Legendre's polynomials\ncurvature = (r' x r'')/|r'|^2, the turn by undeformed arc length, at 3 Gauss points\nwork: EA l0 (1, 1/3, 1/5) times the strains, EI times curvature and Gauss weight (of sum l0)\nT = rhoA/2 int rdot.rdot ds (constant mass matrix),  U = -rhoA gravity.int r ds\narc_length, tension, strain, curvature at 3 Gauss points:\ntension = (sigma1 + 3 sigma2 P1 + 5 sigma3 P2)/l0,  strain = strain1 + strain2 P1 + strain3 P2,\ncurvature = its magnitude\nline: places on the curve",
         source="Gerstmayr and Irschik 2008, J. Sound Vib. 318:461 (strain and curvature); Gerstmayr and Shabana 2006, Nonlinear Dyn. 45:109 (cubic cable)",
         nodes=(
             NodeSpec("p", "point"),
@@ -3137,6 +3466,17 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("R_v", (12, 12), ()),
                 ),
                 0,
+            ),
+            "outputs": KernelSpec(
+                ("x", "e", "sigma", "tau", "p"),
+                (
+                    OutputSpec("arc_length", (3,), (0, 1, 2), unit="m"),
+                    OutputSpec("tension", (3,), (0, 1, 2), unit="N"),
+                    OutputSpec("strain", (3,), (0, 1, 2), unit="1"),
+                    OutputSpec("curvature", (3,), (0, 1, 2), unit="1/m"),
+                    OutputSpec("line", (9, 3), tuple(range(27)), unit="m", draws="rope"),
+                ),
+                201,
             ),
         },
         family="cable",
@@ -3271,8 +3611,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element cable_cylinder
     "cable_cylinder": ElementSpec(
         name="cable_cylinder",
-        digest="d6a3762a656d2fee",
-        doc="x: point at the fraction xi of the cubic curve through p and q with the slopes h dp and h dq,\nh = 1 + D/48 + 13 D^2/5760, D = |dq - dp|^2: tan(theta/4)/(theta/4) for the angle theta between unit slopes\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ndistance = |(yy, yz)| from the axle ex, (ny, nz) = (yy, yz)/distance\ngap = distance - radius - rope_radius,  tangential = ny ydot_z - nz ydot_y,  axial = ydot_x",
+        digest="c74ee8537b4d4854",
+        doc="x: point at the fraction xi of the cubic curve through p and q with the slopes h dp and h dq,\nh = 1 + D/48 + 13 D^2/5760, D = |dq - dp|^2: tan(theta/4)/(theta/4) for the angle theta between unit slopes\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ndistance = |(yy, yz)| from the axle ex, (ny, nz) = (yy, yz)/distance\ngap = distance - radius - rope_radius,  tangential = ny ydot_z - nz ydot_y,  axial = ydot_x\nplace: x, force: on what touches, origin: of the surface, in global axes;  axes: its directions in rows",
         source="textbook mechanics",
         nodes=(
             NodeSpec("p", "point"),
@@ -3337,6 +3677,16 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 4869,
             ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("place", (3,), (0, 1, 2), unit="m"),
+                    OutputSpec("force", (3,), (0, 1, 2), unit="N"),
+                    OutputSpec("origin", (3,), (0, 1, 2), unit="m"),
+                    OutputSpec("axes", (3, 3), tuple(range(9)), unit="1"),
+                ),
+                189,
+            ),
         },
         family="contact",
         picture="contact",
@@ -3344,8 +3694,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element cable_plane
     "cable_plane": ElementSpec(
         name="cable_plane",
-        digest="d2810530c04c8997",
-        doc="x: point at the fraction xi of the cubic curve through p and q with the slopes h dp and h dq,\nh = 1 + D/48 + 13 D^2/5760, D = |dq - dp|^2: tan(theta/4)/(theta/4) for the angle theta between unit slopes\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ngap = yz - rope_radius, the plane is z = 0;  x = ydot_x,  y = ydot_y",
+        digest="1f0ccdccb8fb46ca",
+        doc="x: point at the fraction xi of the cubic curve through p and q with the slopes h dp and h dq,\nh = 1 + D/48 + 13 D^2/5760, D = |dq - dp|^2: tan(theta/4)/(theta/4) for the angle theta between unit slopes\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ngap = yz - rope_radius, the plane is z = 0;  x = ydot_x,  y = ydot_y\nplace: x, force: on what touches, origin: of the surface, in global axes;  axes: its directions in rows",
         source="textbook mechanics",
         nodes=(
             NodeSpec("p", "point"),
@@ -3409,6 +3759,16 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 2285,
             ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("place", (3,), (0, 1, 2), unit="m"),
+                    OutputSpec("force", (3,), (0, 1, 2), unit="N"),
+                    OutputSpec("origin", (3,), (0, 1, 2), unit="m"),
+                    OutputSpec("axes", (3, 3), tuple(range(9)), unit="1"),
+                ),
+                158,
+            ),
         },
         family="contact",
         picture="contact",
@@ -3416,8 +3776,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element cable_v_groove
     "cable_v_groove": ElementSpec(
         name="cable_v_groove",
-        digest="7a7c8a06fbd38a9f",
-        doc="x: point at the fraction xi of the cubic curve through p and q with the slopes h dp and h dq,\nh = 1 + D/48 + 13 D^2/5760, D = |dq - dp|^2: tan(theta/4)/(theta/4) for the angle theta between unit slopes\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ndistance = |(yy, yz)| from the axle ex, h = distance - radius - rope_radius; two flanks of half the angle beta\ngap1 = h sin beta - yx cos beta,  gap2 = h sin beta + yx cos beta: both closed at h = 0 in the middle\ntangential as for a cylinder,  across1, across2 = hdot cos beta +- ydot_x sin beta, up the flanks",
+        digest="b4c30acd7e6311e4",
+        doc="x: point at the fraction xi of the cubic curve through p and q with the slopes h dp and h dq,\nh = 1 + D/48 + 13 D^2/5760, D = |dq - dp|^2: tan(theta/4)/(theta/4) for the angle theta between unit slopes\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ndistance = |(yy, yz)| from the axle ex, h = distance - radius - rope_radius; two flanks of half the angle beta\ngap1 = h sin beta - yx cos beta,  gap2 = h sin beta + yx cos beta: both closed at h = 0 in the middle\ntangential as for a cylinder,  across1, across2 = hdot cos beta +- ydot_x sin beta, up the flanks\nplace: x, force: on what touches, origin: of the surface, in global axes;  axes: its directions in rows",
         source="textbook mechanics",
         nodes=(
             NodeSpec("p", "point"),
@@ -3485,6 +3845,16 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 4898,
             ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("place", (3,), (0, 1, 2), unit="m"),
+                    OutputSpec("force", (3,), (0, 1, 2), unit="N"),
+                    OutputSpec("origin", (3,), (0, 1, 2), unit="m"),
+                    OutputSpec("axes", (3, 3), tuple(range(9)), unit="1"),
+                ),
+                202,
+            ),
         },
         family="contact",
         picture="contact",
@@ -3492,8 +3862,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element cable_round_groove
     "cable_round_groove": ElementSpec(
         name="cable_round_groove",
-        digest="f8f7cecc79175a63",
-        doc="x: point at the fraction xi of the cubic curve through p and q with the slopes h dp and h dq,\nh = 1 + D/48 + 13 D^2/5760, D = |dq - dp|^2: tan(theta/4)/(theta/4) for the angle theta between unit slopes\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\nw = (radius + groove_radius - distance from the axle ex, yx), from the centre of the round bottom to the rope\ngap = groove_radius - rope_radius - n.w, n = w/|w| on the bottom, (sin beta, +-cos beta) on the flanks that\ncontinue it;  tangential as for a cylinder,  across = n_0 ydot_x + n_1 distancedot, along the groove's profile",
+        digest="de26e22e721ffe8c",
+        doc="x: point at the fraction xi of the cubic curve through p and q with the slopes h dp and h dq,\nh = 1 + D/48 + 13 D^2/5760, D = |dq - dp|^2: tan(theta/4)/(theta/4) for the angle theta between unit slopes\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\nw = (radius + groove_radius - distance from the axle ex, yx), from the centre of the round bottom to the rope\ngap = groove_radius - rope_radius - n.w, n = w/|w| on the bottom, (sin beta, +-cos beta) on the flanks that\ncontinue it;  tangential as for a cylinder,  across = n_0 ydot_x + n_1 distancedot, along the groove's profile\nplace: x, force: on what touches, origin: of the surface, in global axes;  axes: its directions in rows",
         source="textbook mechanics",
         nodes=(
             NodeSpec("p", "point"),
@@ -3560,6 +3930,16 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 6392,
             ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("place", (3,), (0, 1, 2), unit="m"),
+                    OutputSpec("force", (3,), (0, 1, 2), unit="N"),
+                    OutputSpec("origin", (3,), (0, 1, 2), unit="m"),
+                    OutputSpec("axes", (3, 3), tuple(range(9)), unit="1"),
+                ),
+                234,
+            ),
         },
         family="contact",
         picture="contact",
@@ -3567,8 +3947,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element cable_helical_groove
     "cable_helical_groove": ElementSpec(
         name="cable_helical_groove",
-        digest="b2108796957ca62c",
-        doc="x: point at the fraction xi of the cubic curve through p and q with the slopes h dp and h dq,\nh = 1 + D/48 + 13 D^2/5760, D = |dq - dp|^2: tan(theta/4)/(theta/4) for the angle theta between unit slopes\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\na round groove along the helix yx = lead phi/(2 pi), phi the angle of (yy, yz) about the axle ex from ey to ez\nside = (yx - lead phi/(2 pi)) cos gamma from the nearest turn, tan gamma = lead/(2 pi (radius + rope_radius))\ngap of the round groove with side for yx: its profile is perpendicular to the groove\ntangential along the groove;  across along its profile, perpendicular to the groove",
+        digest="b5881522e741f62f",
+        doc="x: point at the fraction xi of the cubic curve through p and q with the slopes h dp and h dq,\nh = 1 + D/48 + 13 D^2/5760, D = |dq - dp|^2: tan(theta/4)/(theta/4) for the angle theta between unit slopes\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\na round groove along the helix yx = lead phi/(2 pi), phi the angle of (yy, yz) about the axle ex from ey to ez\nside = (yx - lead phi/(2 pi)) cos gamma from the nearest turn, tan gamma = lead/(2 pi (radius + rope_radius))\ngap of the round groove with side for yx: its profile is perpendicular to the groove\ntangential along the groove;  across along its profile, perpendicular to the groove\nplace: x, force: on what touches, origin: of the surface, in global axes;  axes: its directions in rows",
         source="textbook mechanics",
         nodes=(
             NodeSpec("p", "point"),
@@ -3636,6 +4016,16 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 6552,
             ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("place", (3,), (0, 1, 2), unit="m"),
+                    OutputSpec("force", (3,), (0, 1, 2), unit="N"),
+                    OutputSpec("origin", (3,), (0, 1, 2), unit="m"),
+                    OutputSpec("axes", (3, 3), tuple(range(9)), unit="1"),
+                ),
+                305,
+            ),
         },
         family="contact",
         picture="contact",
@@ -3643,8 +4033,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element point_cylinder
     "point_cylinder": ElementSpec(
         name="point_cylinder",
-        digest="d642ff6eccabfbba",
-        doc="x: place of p\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ndistance = |(yy, yz)| from the axle ex, (ny, nz) = (yy, yz)/distance\ngap = distance - radius - sphere_radius,  tangential = ny ydot_z - nz ydot_y,  axial = ydot_x",
+        digest="287ac15381f8c13a",
+        doc="x: place of p\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ndistance = |(yy, yz)| from the axle ex, (ny, nz) = (yy, yz)/distance\ngap = distance - radius - sphere_radius,  tangential = ny ydot_z - nz ydot_y,  axial = ydot_x\nplace: x, force: on what touches, origin: of the surface, in global axes;  axes: its directions in rows",
         source="textbook mechanics",
         nodes=(
             NodeSpec("p", "point"),
@@ -3704,6 +4094,16 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 1442,
             ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("place", (3,), (0, 1, 2), unit="m"),
+                    OutputSpec("force", (3,), (0, 1, 2), unit="N"),
+                    OutputSpec("origin", (3,), (0, 1, 2), unit="m"),
+                    OutputSpec("axes", (3, 3), tuple(range(9)), unit="1"),
+                ),
+                132,
+            ),
         },
         family="contact",
         picture="contact",
@@ -3711,8 +4111,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element point_plane
     "point_plane": ElementSpec(
         name="point_plane",
-        digest="a0192b5e6c83d3c2",
-        doc="x: place of p\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ngap = yz - sphere_radius, the plane is z = 0;  x = ydot_x,  y = ydot_y",
+        digest="5257bf366979c7d1",
+        doc="x: place of p\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ngap = yz - sphere_radius, the plane is z = 0;  x = ydot_x,  y = ydot_y\nplace: x, force: on what touches, origin: of the surface, in global axes;  axes: its directions in rows",
         source="textbook mechanics",
         nodes=(
             NodeSpec("p", "point"),
@@ -3771,6 +4171,16 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 765,
             ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("place", (3,), (0, 1, 2), unit="m"),
+                    OutputSpec("force", (3,), (0, 1, 2), unit="N"),
+                    OutputSpec("origin", (3,), (0, 1, 2), unit="m"),
+                    OutputSpec("axes", (3, 3), tuple(range(9)), unit="1"),
+                ),
+                101,
+            ),
         },
         family="contact",
         picture="contact",
@@ -3778,8 +4188,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element point_v_groove
     "point_v_groove": ElementSpec(
         name="point_v_groove",
-        digest="624d770be1b98306",
-        doc="x: place of p\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ndistance = |(yy, yz)| from the axle ex, h = distance - radius - sphere_radius; two flanks of half the angle beta\ngap1 = h sin beta - yx cos beta,  gap2 = h sin beta + yx cos beta: both closed at h = 0 in the middle\ntangential as for a cylinder,  across1, across2 = hdot cos beta +- ydot_x sin beta, up the flanks",
+        digest="431dc9d9b2de202d",
+        doc="x: place of p\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\ndistance = |(yy, yz)| from the axle ex, h = distance - radius - sphere_radius; two flanks of half the angle beta\ngap1 = h sin beta - yx cos beta,  gap2 = h sin beta + yx cos beta: both closed at h = 0 in the middle\ntangential as for a cylinder,  across1, across2 = hdot cos beta +- ydot_x sin beta, up the flanks\nplace: x, force: on what touches, origin: of the surface, in global axes;  axes: its directions in rows",
         source="textbook mechanics",
         nodes=(
             NodeSpec("p", "point"),
@@ -3842,6 +4252,16 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 1504,
             ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("place", (3,), (0, 1, 2), unit="m"),
+                    OutputSpec("force", (3,), (0, 1, 2), unit="N"),
+                    OutputSpec("origin", (3,), (0, 1, 2), unit="m"),
+                    OutputSpec("axes", (3, 3), tuple(range(9)), unit="1"),
+                ),
+                145,
+            ),
         },
         family="contact",
         picture="contact",
@@ -3849,8 +4269,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element point_round_groove
     "point_round_groove": ElementSpec(
         name="point_round_groove",
-        digest="19546b782a3c565f",
-        doc="x: place of p\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\nw = (radius + groove_radius - distance from the axle ex, yx), from the centre of the round bottom to the point\ngap = groove_radius - sphere_radius - n.w, n = w/|w| on the bottom, (sin beta, +-cos beta) on the flanks that\ncontinue it;  tangential as for a cylinder,  across = n_0 ydot_x + n_1 distancedot, along the groove's profile",
+        digest="33814b1b74a33668",
+        doc="x: place of p\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\nw = (radius + groove_radius - distance from the axle ex, yx), from the centre of the round bottom to the point\ngap = groove_radius - sphere_radius - n.w, n = w/|w| on the bottom, (sin beta, +-cos beta) on the flanks that\ncontinue it;  tangential as for a cylinder,  across = n_0 ydot_x + n_1 distancedot, along the groove's profile\nplace: x, force: on what touches, origin: of the surface, in global axes;  axes: its directions in rows",
         source="textbook mechanics",
         nodes=(
             NodeSpec("p", "point"),
@@ -3912,6 +4332,16 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 1829,
             ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("place", (3,), (0, 1, 2), unit="m"),
+                    OutputSpec("force", (3,), (0, 1, 2), unit="N"),
+                    OutputSpec("origin", (3,), (0, 1, 2), unit="m"),
+                    OutputSpec("axes", (3, 3), tuple(range(9)), unit="1"),
+                ),
+                177,
+            ),
         },
         family="contact",
         picture="contact",
@@ -3919,8 +4349,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element sphere_cylinder
     "sphere_cylinder": ElementSpec(
         name="sphere_cylinder",
-        digest="14b03ef626a6a10b",
-        doc="x = xp + R(lambda_b) centre\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\nturn = angular velocity of the sphere relative to the surface, on the triad; every slip along a direction d is\nless by sphere_radius turn.(n x d), n the normal to the sphere: that of the sphere's material point in contact\n(in a V groove it has two, with tangential1 and tangential2)\ndistance = |(yy, yz)| from the axle ex, (ny, nz) = (yy, yz)/distance\ngap = distance - radius - sphere_radius,  tangential = ny ydot_z - nz ydot_y,  axial = ydot_x",
+        digest="e2ddbb4f1987c0a5",
+        doc="x = xp + R(lambda_b) centre\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\nturn = angular velocity of the sphere relative to the surface, on the triad; every slip along a direction d is\nless by sphere_radius turn.(n x d), n the normal to the sphere: that of the sphere's material point in contact\n(in a V groove it has two, with tangential1 and tangential2)\ndistance = |(yy, yz)| from the axle ex, (ny, nz) = (yy, yz)/distance\ngap = distance - radius - sphere_radius,  tangential = ny ydot_z - nz ydot_y,  axial = ydot_x\nplace: x, force: on what touches, origin: of the surface, in global axes;  axes: its directions in rows\naxes_ball: axes of the body of what touches, in rows",
         source="textbook mechanics",
         nodes=(
             NodeSpec("p", "point"),
@@ -3982,6 +4412,17 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 3341,
             ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("place", (3,), (0, 1, 2), unit="m"),
+                    OutputSpec("force", (3,), (0, 1, 2), unit="N"),
+                    OutputSpec("origin", (3,), (0, 1, 2), unit="m"),
+                    OutputSpec("axes", (3, 3), tuple(range(9)), unit="1"),
+                    OutputSpec("axes_ball", (3, 3), tuple(range(9)), unit="1"),
+                ),
+                184,
+            ),
         },
         family="contact",
         picture="contact",
@@ -3989,8 +4430,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element sphere_plane
     "sphere_plane": ElementSpec(
         name="sphere_plane",
-        digest="0e487d50b8075663",
-        doc="x = xp + R(lambda_b) centre\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\nturn = angular velocity of the sphere relative to the surface, on the triad; every slip along a direction d is\nless by sphere_radius turn.(n x d), n the normal to the sphere: that of the sphere's material point in contact\n(in a V groove it has two, with tangential1 and tangential2)\ngap = yz - sphere_radius, the plane is z = 0;  x = ydot_x,  y = ydot_y",
+        digest="b312b10cf6db6c9d",
+        doc="x = xp + R(lambda_b) centre\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\nturn = angular velocity of the sphere relative to the surface, on the triad; every slip along a direction d is\nless by sphere_radius turn.(n x d), n the normal to the sphere: that of the sphere's material point in contact\n(in a V groove it has two, with tangential1 and tangential2)\ngap = yz - sphere_radius, the plane is z = 0;  x = ydot_x,  y = ydot_y\nplace: x, force: on what touches, origin: of the surface, in global axes;  axes: its directions in rows\naxes_ball: axes of the body of what touches, in rows",
         source="textbook mechanics",
         nodes=(
             NodeSpec("p", "point"),
@@ -4051,6 +4492,17 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 1718,
             ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("place", (3,), (0, 1, 2), unit="m"),
+                    OutputSpec("force", (3,), (0, 1, 2), unit="N"),
+                    OutputSpec("origin", (3,), (0, 1, 2), unit="m"),
+                    OutputSpec("axes", (3, 3), tuple(range(9)), unit="1"),
+                    OutputSpec("axes_ball", (3, 3), tuple(range(9)), unit="1"),
+                ),
+                153,
+            ),
         },
         family="contact",
         picture="contact",
@@ -4058,8 +4510,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element sphere_v_groove
     "sphere_v_groove": ElementSpec(
         name="sphere_v_groove",
-        digest="c8b16b22357ae871",
-        doc="x = xp + R(lambda_b) centre\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\nturn = angular velocity of the sphere relative to the surface, on the triad; every slip along a direction d is\nless by sphere_radius turn.(n x d), n the normal to the sphere: that of the sphere's material point in contact\n(in a V groove it has two, with tangential1 and tangential2)\ndistance = |(yy, yz)| from the axle ex, h = distance - radius - sphere_radius; two flanks of half the angle beta\ngap1 = h sin beta - yx cos beta,  gap2 = h sin beta + yx cos beta: both closed at h = 0 in the middle\ntangential as for a cylinder,  across1, across2 = hdot cos beta +- ydot_x sin beta, up the flanks",
+        digest="3811a7fed89eefb0",
+        doc="x = xp + R(lambda_b) centre\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\nturn = angular velocity of the sphere relative to the surface, on the triad; every slip along a direction d is\nless by sphere_radius turn.(n x d), n the normal to the sphere: that of the sphere's material point in contact\n(in a V groove it has two, with tangential1 and tangential2)\ndistance = |(yy, yz)| from the axle ex, h = distance - radius - sphere_radius; two flanks of half the angle beta\ngap1 = h sin beta - yx cos beta,  gap2 = h sin beta + yx cos beta: both closed at h = 0 in the middle\ntangential as for a cylinder,  across1, across2 = hdot cos beta +- ydot_x sin beta, up the flanks\nplace: x, force: on what touches, origin: of the surface, in global axes;  axes: its directions in rows\naxes_ball: axes of the body of what touches, in rows",
         source="textbook mechanics",
         nodes=(
             NodeSpec("p", "point"),
@@ -4125,6 +4577,17 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 3179,
             ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("place", (3,), (0, 1, 2), unit="m"),
+                    OutputSpec("force", (3,), (0, 1, 2), unit="N"),
+                    OutputSpec("origin", (3,), (0, 1, 2), unit="m"),
+                    OutputSpec("axes", (3, 3), tuple(range(9)), unit="1"),
+                    OutputSpec("axes_ball", (3, 3), tuple(range(9)), unit="1"),
+                ),
+                198,
+            ),
         },
         family="contact",
         picture="contact",
@@ -4132,8 +4595,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element sphere_round_groove
     "sphere_round_groove": ElementSpec(
         name="sphere_round_groove",
-        digest="76b2fb0a9f57ad33",
-        doc="x = xp + R(lambda_b) centre\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\nturn = angular velocity of the sphere relative to the surface, on the triad; every slip along a direction d is\nless by sphere_radius turn.(n x d), n the normal to the sphere: that of the sphere's material point in contact\n(in a V groove it has two, with tangential1 and tangential2)\nw = (radius + groove_radius - distance from the axle ex, yx), from the centre of the round bottom to the sphere\ngap = groove_radius - sphere_radius - n.w, n = w/|w| on the bottom, (sin beta, +-cos beta) on the flanks that\ncontinue it;  tangential as for a cylinder,  across = n_0 ydot_x + n_1 distancedot, along the groove's profile",
+        digest="7438a4313c27c6f1",
+        doc="x = xp + R(lambda_b) centre\ntriad ex, ey, ez: columns of R(lambda o t)\ny = components of x - xc on the triad - offset, ydot = their rates as long as lambda.lambda = 1\nturn = angular velocity of the sphere relative to the surface, on the triad; every slip along a direction d is\nless by sphere_radius turn.(n x d), n the normal to the sphere: that of the sphere's material point in contact\n(in a V groove it has two, with tangential1 and tangential2)\nw = (radius + groove_radius - distance from the axle ex, yx), from the centre of the round bottom to the sphere\ngap = groove_radius - sphere_radius - n.w, n = w/|w| on the bottom, (sin beta, +-cos beta) on the flanks that\ncontinue it;  tangential as for a cylinder,  across = n_0 ydot_x + n_1 distancedot, along the groove's profile\nplace: x, force: on what touches, origin: of the surface, in global axes;  axes: its directions in rows\naxes_ball: axes of the body of what touches, in rows",
         source="textbook mechanics",
         nodes=(
             NodeSpec("p", "point"),
@@ -4197,6 +4660,17 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 4195,
             ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("place", (3,), (0, 1, 2), unit="m"),
+                    OutputSpec("force", (3,), (0, 1, 2), unit="N"),
+                    OutputSpec("origin", (3,), (0, 1, 2), unit="m"),
+                    OutputSpec("axes", (3, 3), tuple(range(9)), unit="1"),
+                    OutputSpec("axes_ball", (3, 3), tuple(range(9)), unit="1"),
+                ),
+                229,
+            ),
         },
         family="contact",
         picture="contact",
@@ -4204,8 +4678,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_cable
     "planar_cable": ElementSpec(
         name="planar_cable",
-        digest="68c8a7aa6c740fe0",
-        doc="r(s): cubic Hermite curve with slopes dp, dq = dr/ds by the undeformed arc length s at the ends\nstrain1 = L/l0 - 1, the mean of |r'| - 1 by 3 Gauss points;  strain2 = (|dq| - |dp|)/2;\nstrain3 = (|dq| + |dp|)/2 - L/l0:  |r'| - 1 = strain1 + strain2 P1 + strain3 P2, Legendre's polynomials\ncurvature = (r' x r'')/|r'|^2, the turn by undeformed arc length, at 3 Gauss points\nwork: EA l0 (1, 1/3, 1/5) times the strains, EI times curvature and Gauss weight (of sum l0)\nT = rhoA/2 int rdot.rdot ds (constant mass matrix),  U = -rhoA gravity.int r ds",
+        digest="d1e9c0d74293400c",
+        doc="r(s): cubic Hermite curve with slopes dp, dq = dr/ds by the undeformed arc length s at the ends\nstrain1 = L/l0 - 1, the mean of |r'| - 1 by 3 Gauss points;  strain2 = (|dq| - |dp|)/2;\nstrain3 = (|dq| + |dp|)/2 - L/l0:  |r'| - 1 = strain1 + strain2 P1 + strain3 P2, Legendre's polynomials\ncurvature = (r' x r'')/|r'|^2, the turn by undeformed arc length, at 3 Gauss points\nwork: EA l0 (1, 1/3, 1/5) times the strains, EI times curvature and Gauss weight (of sum l0)\nT = rhoA/2 int rdot.rdot ds (constant mass matrix),  U = -rhoA gravity.int r ds\narc_length, tension, strain, curvature at 3 Gauss points:\ntension = (sigma1 + 3 sigma2 P1 + 5 sigma3 P2)/l0,  strain = strain1 + strain2 P1 + strain3 P2,\ncurvature = its magnitude\nline: places on the curve",
         source="Gerstmayr and Irschik 2008, J. Sound Vib. 318:461 (strain and curvature); Gerstmayr and Shabana 2006, Nonlinear Dyn. 45:109 (cubic cable)",
         nodes=(
             NodeSpec("p", "planar_point"),
@@ -4284,6 +4758,17 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("R_v", (8, 8), ()),
                 ),
                 0,
+            ),
+            "outputs": KernelSpec(
+                ("x", "e", "sigma", "tau", "p"),
+                (
+                    OutputSpec("arc_length", (3,), (0, 1, 2), unit="m"),
+                    OutputSpec("tension", (3,), (0, 1, 2), unit="N"),
+                    OutputSpec("strain", (3,), (0, 1, 2), unit="1"),
+                    OutputSpec("curvature", (3,), (0, 1, 2), unit="1/m"),
+                    OutputSpec("line", (9, 2), tuple(range(18)), unit="m", draws="rope"),
+                ),
+                132,
             ),
         },
         family="cable",
@@ -4416,8 +4901,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_cable_circle
     "planar_cable_circle": ElementSpec(
         name="planar_cable_circle",
-        digest="7f5e8c23b352a0bf",
-        doc="x: point at the fraction xi of the cubic curve through p and q with the slopes h dp and h dq,\nh = 1 + D/48 + 13 D^2/5760, D = |dq - dp|^2: tan(theta/4)/(theta/4) for the angle theta between unit slopes\nex, ey: directions at angle + alpha0\nw = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body\na = x - xc - offset_x ex - offset_y ey\ngap = |a| - radius - rope_radius,  tangential = (ax wy - ay wx)/|a|, counterclockwise",
+        digest="f046569926e26fd6",
+        doc="x: point at the fraction xi of the cubic curve through p and q with the slopes h dp and h dq,\nh = 1 + D/48 + 13 D^2/5760, D = |dq - dp|^2: tan(theta/4)/(theta/4) for the angle theta between unit slopes\nex, ey: directions at angle + alpha0\nw = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body\na = x - xc - offset_x ex - offset_y ey\ngap = |a| - radius - rope_radius,  tangential = (ax wy - ay wx)/|a|, counterclockwise\nplace: x, force: on what touches, origin: of the surface, in global axes;  axes: its directions in rows",
         source="planar counterpart of contact in space",
         nodes=(
             NodeSpec("p", "planar_point"),
@@ -4481,6 +4966,16 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 812,
             ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("place", (2,), (0, 1), unit="m"),
+                    OutputSpec("force", (2,), (0, 1), unit="N"),
+                    OutputSpec("origin", (2,), (0, 1), unit="m"),
+                    OutputSpec("axes", (2, 2), (0, 1, 2, 3), unit="1"),
+                ),
+                80,
+            ),
         },
         family="contact",
         picture="contact",
@@ -4488,8 +4983,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_cable_line
     "planar_cable_line": ElementSpec(
         name="planar_cable_line",
-        digest="ace9ddfb9ded88a4",
-        doc="x: point at the fraction xi of the cubic curve through p and q with the slopes h dp and h dq,\nh = 1 + D/48 + 13 D^2/5760, D = |dq - dp|^2: tan(theta/4)/(theta/4) for the angle theta between unit slopes\nex, ey: directions at angle + alpha0\nw = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body\ngap = ey.(x - xc) - offset_y - rope_radius,  tangential = ex.w",
+        digest="26dd4499ad052791",
+        doc="x: point at the fraction xi of the cubic curve through p and q with the slopes h dp and h dq,\nh = 1 + D/48 + 13 D^2/5760, D = |dq - dp|^2: tan(theta/4)/(theta/4) for the angle theta between unit slopes\nex, ey: directions at angle + alpha0\nw = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body\ngap = ey.(x - xc) - offset_y - rope_radius,  tangential = ex.w\nplace: x, force: on what touches, origin: of the surface, in global axes;  axes: its directions in rows",
         source="planar counterpart of contact in space",
         nodes=(
             NodeSpec("p", "planar_point"),
@@ -4552,6 +5047,16 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 258,
             ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("place", (2,), (0, 1), unit="m"),
+                    OutputSpec("force", (2,), (0, 1), unit="N"),
+                    OutputSpec("origin", (2,), (0, 1), unit="m"),
+                    OutputSpec("axes", (2, 2), (0, 1, 2, 3), unit="1"),
+                ),
+                61,
+            ),
         },
         family="contact",
         picture="contact",
@@ -4559,8 +5064,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_point_circle
     "planar_point_circle": ElementSpec(
         name="planar_point_circle",
-        digest="2000ee11fbe20752",
-        doc="x: place of p\nex, ey: directions at angle + alpha0\nw = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body\na = x - xc - offset_x ex - offset_y ey\ngap = |a| - radius - sphere_radius,  tangential = (ax wy - ay wx)/|a|, counterclockwise",
+        digest="c54e052906f0b4d4",
+        doc="x: place of p\nex, ey: directions at angle + alpha0\nw = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body\na = x - xc - offset_x ex - offset_y ey\ngap = |a| - radius - sphere_radius,  tangential = (ax wy - ay wx)/|a|, counterclockwise\nplace: x, force: on what touches, origin: of the surface, in global axes;  axes: its directions in rows",
         source="planar counterpart of contact in space",
         nodes=(
             NodeSpec("p", "planar_point"),
@@ -4619,6 +5124,16 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 118,
             ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("place", (2,), (0, 1), unit="m"),
+                    OutputSpec("force", (2,), (0, 1), unit="N"),
+                    OutputSpec("origin", (2,), (0, 1), unit="m"),
+                    OutputSpec("axes", (2, 2), (0, 1, 2, 3), unit="1"),
+                ),
+                33,
+            ),
         },
         family="contact",
         picture="contact",
@@ -4626,8 +5141,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_point_line
     "planar_point_line": ElementSpec(
         name="planar_point_line",
-        digest="f82158ebcc6ce509",
-        doc="x: place of p\nex, ey: directions at angle + alpha0\nw = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body\ngap = ey.(x - xc) - offset_y - sphere_radius,  tangential = ex.w",
+        digest="13e92c3358685f5a",
+        doc="x: place of p\nex, ey: directions at angle + alpha0\nw = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body\ngap = ey.(x - xc) - offset_y - sphere_radius,  tangential = ex.w\nplace: x, force: on what touches, origin: of the surface, in global axes;  axes: its directions in rows",
         source="planar counterpart of contact in space",
         nodes=(
             NodeSpec("p", "planar_point"),
@@ -4685,6 +5200,16 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 17,
             ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("place", (2,), (0, 1), unit="m"),
+                    OutputSpec("force", (2,), (0, 1), unit="N"),
+                    OutputSpec("origin", (2,), (0, 1), unit="m"),
+                    OutputSpec("axes", (2, 2), (0, 1, 2, 3), unit="1"),
+                ),
+                20,
+            ),
         },
         family="contact",
         picture="contact",
@@ -4692,8 +5217,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_disc_circle
     "planar_disc_circle": ElementSpec(
         name="planar_disc_circle",
-        digest="a438e5800b6368e4",
-        doc="x = xp + R(angle_b) centre\nex, ey: directions at angle + alpha0\nw = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body\nturn = angular velocity of the disc relative to the surface\na = x - xc - offset_x ex - offset_y ey\ngap = |a| - radius - sphere_radius,  tangential = (ax wy - ay wx)/|a| - sphere_radius turn, counterclockwise",
+        digest="0ba88eba3b1818c7",
+        doc="x = xp + R(angle_b) centre\nex, ey: directions at angle + alpha0\nw = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body\nturn = angular velocity of the disc relative to the surface\na = x - xc - offset_x ex - offset_y ey\ngap = |a| - radius - sphere_radius,  tangential = (ax wy - ay wx)/|a| - sphere_radius turn, counterclockwise\nplace: x, force: on what touches, origin: of the surface, in global axes;  axes: its directions in rows\naxes_ball: axes of the body of what touches, in rows",
         source="planar counterpart of contact in space",
         nodes=(
             NodeSpec("p", "planar_point"),
@@ -4754,6 +5279,17 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 189,
             ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("place", (2,), (0, 1), unit="m"),
+                    OutputSpec("force", (2,), (0, 1), unit="N"),
+                    OutputSpec("origin", (2,), (0, 1), unit="m"),
+                    OutputSpec("axes", (2, 2), (0, 1, 2, 3), unit="1"),
+                    OutputSpec("axes_ball", (2, 2), (0, 1, 2, 3), unit="1"),
+                ),
+                44,
+            ),
         },
         family="contact",
         picture="contact",
@@ -4761,8 +5297,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_disc_line
     "planar_disc_line": ElementSpec(
         name="planar_disc_line",
-        digest="7bf2432e198599f0",
-        doc="x = xp + R(angle_b) centre\nex, ey: directions at angle + alpha0\nw = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body\nturn = angular velocity of the disc relative to the surface\ngap = ey.(x - xc) - offset_y - sphere_radius,  tangential = ex.w + sphere_radius turn",
+        digest="dcef7379ea005818",
+        doc="x = xp + R(angle_b) centre\nex, ey: directions at angle + alpha0\nw = xdot - xcdot - angledot ez x (x - xc), the velocity seen from the body\nturn = angular velocity of the disc relative to the surface\ngap = ey.(x - xc) - offset_y - sphere_radius,  tangential = ex.w + sphere_radius turn\nplace: x, force: on what touches, origin: of the surface, in global axes;  axes: its directions in rows\naxes_ball: axes of the body of what touches, in rows",
         source="planar counterpart of contact in space",
         nodes=(
             NodeSpec("p", "planar_point"),
@@ -4822,6 +5358,17 @@ ELEMENTS: dict[str, ElementSpec] = {
                 ),
                 41,
             ),
+            "outputs": KernelSpec(
+                ("x", "sigma", "tau", "p"),
+                (
+                    OutputSpec("place", (2,), (0, 1), unit="m"),
+                    OutputSpec("force", (2,), (0, 1), unit="N"),
+                    OutputSpec("origin", (2,), (0, 1), unit="m"),
+                    OutputSpec("axes", (2, 2), (0, 1, 2, 3), unit="1"),
+                    OutputSpec("axes_ball", (2, 2), (0, 1, 2, 3), unit="1"),
+                ),
+                31,
+            ),
         },
         family="contact",
         picture="contact",
@@ -4833,7 +5380,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_1
     "linear_1": LawSpec(
         name="linear_1",
-        digest="1bb4fefea9bf7461",
+        digest="9aaaea561a751a9c",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=1,
         slips=0,
@@ -4870,7 +5417,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_2
     "linear_2": LawSpec(
         name="linear_2",
-        digest="1bb4fefea9bf7461",
+        digest="9aaaea561a751a9c",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=2,
         slips=0,
@@ -4908,7 +5455,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_3
     "linear_3": LawSpec(
         name="linear_3",
-        digest="1bb4fefea9bf7461",
+        digest="9aaaea561a751a9c",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=3,
         slips=0,
@@ -4947,7 +5494,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_4
     "linear_4": LawSpec(
         name="linear_4",
-        digest="1bb4fefea9bf7461",
+        digest="9aaaea561a751a9c",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=4,
         slips=0,
@@ -4987,7 +5534,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_5
     "linear_5": LawSpec(
         name="linear_5",
-        digest="1bb4fefea9bf7461",
+        digest="9aaaea561a751a9c",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=5,
         slips=0,
@@ -5028,7 +5575,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_6
     "linear_6": LawSpec(
         name="linear_6",
-        digest="1bb4fefea9bf7461",
+        digest="9aaaea561a751a9c",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=6,
         slips=0,
@@ -5067,100 +5614,10 @@ LAWS: dict[str, LawSpec] = {
             ArgumentSpec("e_5"),
         ),
     ),
-    # law diagonal_6
-    "diagonal_6": LawSpec(
-        name="diagonal_6",
-        digest="1bb4fefea9bf7461",
-        doc="sigma_i = preload_i + S_i e_i + D_i ed_i\nenergy = sum of preload_i e_i + S_i e_i^2/2",
-        deformations=6,
-        slips=0,
-        states=(),
-        parameters=(
-            ParameterSpec("preload", 6, "N or N m", "stress at zero deformation"),
-            ParameterSpec("S", 6, "N/m or N m", "stiffness of each deformation", sign=("not negative", "not negative", "not negative", "not negative", "not negative", "not negative")),
-            ParameterSpec("D", 6, "N s/m or N m s", "damping of each deformation", sign=("not negative", "not negative", "not negative", "not negative", "not negative", "not negative")),
-        ),
-        kernels={
-            "law": KernelSpec(
-                ("e", "ed", "s", "z", "t", "p"),
-                (
-                    OutputSpec("sigma", (6,), tuple(range(6))),
-                    OutputSpec("tau", (0,), ()),
-                    OutputSpec("zd", (0,), ()),
-                    OutputSpec("U", (1,), (0,)),
-                    OutputSpec("P", (1,), (0,)),
-                ),
-                77,
-            ),
-            "tangent": KernelSpec(
-                ("e", "ed", "s", "z", "t", "p"),
-                (
-                    OutputSpec("J", (6, 12), (0, 6, 13, 19, 26, 32, 39, 45, 52, 58, 65, 71)),
-                ),
-                0,
-            ),
-        },
-        arguments=(
-            ArgumentSpec("e_0"),
-            ArgumentSpec("e_1"),
-            ArgumentSpec("e_2"),
-            ArgumentSpec("e_3"),
-            ArgumentSpec("e_4"),
-            ArgumentSpec("e_5"),
-        ),
-    ),
-    # law diagonal_12
-    "diagonal_12": LawSpec(
-        name="diagonal_12",
-        digest="1bb4fefea9bf7461",
-        doc="sigma_i = preload_i + S_i e_i + D_i ed_i\nenergy = sum of preload_i e_i + S_i e_i^2/2",
-        deformations=12,
-        slips=0,
-        states=(),
-        parameters=(
-            ParameterSpec("preload", 12, "N or N m", "stress at zero deformation"),
-            ParameterSpec("S", 12, "N/m or N m", "stiffness of each deformation", sign=("not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative")),
-            ParameterSpec("D", 12, "N s/m or N m s", "damping of each deformation", sign=("not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative", "not negative")),
-        ),
-        kernels={
-            "law": KernelSpec(
-                ("e", "ed", "s", "z", "t", "p"),
-                (
-                    OutputSpec("sigma", (12,), tuple(range(12))),
-                    OutputSpec("tau", (0,), ()),
-                    OutputSpec("zd", (0,), ()),
-                    OutputSpec("U", (1,), (0,)),
-                    OutputSpec("P", (1,), (0,)),
-                ),
-                155,
-            ),
-            "tangent": KernelSpec(
-                ("e", "ed", "s", "z", "t", "p"),
-                (
-                    OutputSpec("J", (12, 24), (0, 12, 25, 37, 50, 62, 75, 87, 100, 112, 125, 137, 150, 162, 175, 187, 200, 212, 225, 237, 250, 262, 275, 287)),
-                ),
-                0,
-            ),
-        },
-        arguments=(
-            ArgumentSpec("e_0"),
-            ArgumentSpec("e_1"),
-            ArgumentSpec("e_2"),
-            ArgumentSpec("e_3"),
-            ArgumentSpec("e_4"),
-            ArgumentSpec("e_5"),
-            ArgumentSpec("e_6"),
-            ArgumentSpec("e_7"),
-            ArgumentSpec("e_8"),
-            ArgumentSpec("e_9"),
-            ArgumentSpec("e_10"),
-            ArgumentSpec("e_11"),
-        ),
-    ),
     # law viscous_1
     "viscous_1": LawSpec(
         name="viscous_1",
-        digest="1bb4fefea9bf7461",
+        digest="9aaaea561a751a9c",
         doc="tau = C s",
         deformations=0,
         slips=1,
@@ -5195,7 +5652,7 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_2
     "viscous_2": LawSpec(
         name="viscous_2",
-        digest="1bb4fefea9bf7461",
+        digest="9aaaea561a751a9c",
         doc="tau = C s",
         deformations=0,
         slips=2,
@@ -5231,7 +5688,7 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_3
     "viscous_3": LawSpec(
         name="viscous_3",
-        digest="1bb4fefea9bf7461",
+        digest="9aaaea561a751a9c",
         doc="tau = C s",
         deformations=0,
         slips=3,
@@ -5265,10 +5722,298 @@ LAWS: dict[str, LawSpec] = {
             ArgumentSpec("s_2"),
         ),
     ),
+    # law beam_extension
+    "beam_extension": LawSpec(
+        name="beam_extension",
+        digest="9aaaea561a751a9c",
+        doc="sigma = EA/l0 (e - initial_strain l0 + damping ed),  e: the beam's elongation\nenergy = EA/l0 e (e/2 - initial_strain l0)",
+        deformations=1,
+        slips=0,
+        states=(),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("EA", 1, "N", "axial stiffness", sign=("positive",)),
+            ParameterSpec("initial_strain", 1, "1", "elongation per length of the unstressed beam"),
+            ParameterSpec("damping", 1, "s", "ratio of damping to stiffness", sign=("not negative",)),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (1,), (0,)),
+                    OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                15,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (1, 2), (0, 1)),
+                ),
+                3,
+            ),
+        },
+        arguments=(
+            ArgumentSpec("e_0", unit="m"),
+        ),
+    ),
+    # law beam_torsion
+    "beam_torsion": LawSpec(
+        name="beam_torsion",
+        digest="9aaaea561a751a9c",
+        doc="sigma = GJ/l0^3 (e - initial_twist l0^2 + damping ed),  e: l0 times the angle of twist\nenergy = GJ/l0^3 e (e/2 - initial_twist l0^2)",
+        deformations=1,
+        slips=0,
+        states=(),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("GJ", 1, "N m^2", "torsional stiffness", sign=("positive",)),
+            ParameterSpec("initial_twist", 1, "1/m", "twist of the unstressed beam"),
+            ParameterSpec("damping", 1, "s", "ratio of damping to stiffness", sign=("not negative",)),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (1,), (0,)),
+                    OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                18,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (1, 2), (0, 1)),
+                ),
+                5,
+            ),
+        },
+        arguments=(
+            ArgumentSpec("e_0", unit="m"),
+        ),
+    ),
+    # law beam_bending
+    "beam_bending": LawSpec(
+        name="beam_bending",
+        digest="9aaaea561a751a9c",
+        doc="e_0, e_1: the beam's two deformations of bending in one plane, at p and at q\nP = 0,  k = EI/((1 + P) l0^3),  r = initial_curvature l0^2/2,  d_i = e_i - r + damping ed_i\nsigma = k ((4 + P) d_0 + (P - 2) d_1, (P - 2) d_0 + (4 + P) d_1)\nenergy: the same form of e_i - r, less its value at e_i = 0",
+        deformations=2,
+        slips=0,
+        states=(),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("EI", 1, "N m^2", "bending stiffness", sign=("positive",)),
+            ParameterSpec("initial_curvature", 1, "1/m", "curvature of the unstressed beam"),
+            ParameterSpec("damping", 1, "s", "ratio of damping to stiffness", sign=("not negative",)),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (2,), (0, 1)),
+                    OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                46,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (2, 4), tuple(range(8))),
+                ),
+                11,
+            ),
+        },
+        arguments=(
+            ArgumentSpec("e_0", unit="m"),
+            ArgumentSpec("e_1", unit="m"),
+        ),
+    ),
+    # law beam_shear_bending
+    "beam_shear_bending": LawSpec(
+        name="beam_shear_bending",
+        digest="9aaaea561a751a9c",
+        doc="e_0, e_1: the beam's two deformations of bending in one plane, at p and at q\nP = 12 EI/(GA l0^2),  k = EI/((1 + P) l0^3),  r = initial_curvature l0^2/2,  d_i = e_i - r + damping ed_i\nsigma = k ((4 + P) d_0 + (P - 2) d_1, (P - 2) d_0 + (4 + P) d_1)\nenergy: the same form of e_i - r, less its value at e_i = 0",
+        deformations=2,
+        slips=0,
+        states=(),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("EI", 1, "N m^2", "bending stiffness", sign=("positive",)),
+            ParameterSpec("GA", 1, "N", "shear stiffness k G A", sign=("positive",)),
+            ParameterSpec("initial_curvature", 1, "1/m", "curvature of the unstressed beam"),
+            ParameterSpec("damping", 1, "s", "ratio of damping to stiffness", sign=("not negative",)),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (2,), (0, 1)),
+                    OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                60,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (2, 4), tuple(range(8))),
+                ),
+                17,
+            ),
+        },
+        arguments=(
+            ArgumentSpec("e_0", unit="m"),
+            ArgumentSpec("e_1", unit="m"),
+        ),
+    ),
+    # law beam_bimoment
+    "beam_bimoment": LawSpec(
+        name="beam_bimoment",
+        digest="9aaaea561a751a9c",
+        doc="e_0, e_1: the beam's two deformations of warping, at p and at q;  d_i = e_i + damping ed_i\nsigma_i = GJ/(30 l0^3) (4 d_i - d_j) + 2 EIw/l0^5 (2 d_i + d_j),  j: the other one\nenergy: the same form of e_i, halved",
+        deformations=2,
+        slips=0,
+        states=(),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("GJ", 1, "N m^2", "torsional stiffness", sign=("positive",)),
+            ParameterSpec("EIw", 1, "N m^4", "warping stiffness", sign=("positive",)),
+            ParameterSpec("damping", 1, "s", "ratio of damping to stiffness", sign=("not negative",)),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (2,), (0, 1)),
+                    OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                51,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (2, 4), tuple(range(8))),
+                ),
+                15,
+            ),
+        },
+        arguments=(
+            ArgumentSpec("e_0", unit="m"),
+            ArgumentSpec("e_1", unit="m"),
+        ),
+    ),
+    # law planar_cable_stiffness
+    "planar_cable_stiffness": LawSpec(
+        name="planar_cable_stiffness",
+        digest="9aaaea561a751a9c",
+        doc="sigma = EA l0 (1, 1/3, 1/5) (e + damping ed) of the strains,\nsigma = EI l0 (5, 8, 5)/18 (e + bending_damping ed) of the curvatures at the three points\nenergy = sum of EA l0 (1, 1/3, 1/5) e^2/2 and EI l0 (5, 8, 5)/18 e^2/2",
+        deformations=6,
+        slips=0,
+        states=(),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("EA", 1, "N", "axial stiffness", sign=("positive",)),
+            ParameterSpec("EI", 1, "N m^2", "bending stiffness", sign=("not negative",)),
+            ParameterSpec("damping", 1, "s", "ratio of damping to stiffness of stretching", sign=("not negative",)),
+            ParameterSpec("bending_damping", 1, "s", "ratio of damping to stiffness of bending", sign=("not negative",)),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (6,), tuple(range(6))),
+                    OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                76,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (6, 12), (0, 6, 13, 19, 26, 32, 39, 45, 52, 58, 65, 71)),
+                ),
+                12,
+            ),
+        },
+        arguments=(
+            ArgumentSpec("e_0", unit="1"),
+            ArgumentSpec("e_1", unit="1"),
+            ArgumentSpec("e_2", unit="1"),
+            ArgumentSpec("e_3", unit="1/m"),
+            ArgumentSpec("e_4", unit="1/m"),
+            ArgumentSpec("e_5", unit="1/m"),
+        ),
+    ),
+    # law cable_stiffness
+    "cable_stiffness": LawSpec(
+        name="cable_stiffness",
+        digest="9aaaea561a751a9c",
+        doc="sigma = EA l0 (1, 1/3, 1/5) (e + damping ed) of the strains,\nsigma = EI l0 (5, 8, 5)/18 (e + bending_damping ed) of the curvatures at the three points\nenergy = sum of EA l0 (1, 1/3, 1/5) e^2/2 and EI l0 (5, 8, 5)/18 e^2/2",
+        deformations=12,
+        slips=0,
+        states=(),
+        parameters=(
+            ParameterSpec("l0", 1, "m", "undeformed length"),
+            ParameterSpec("EA", 1, "N", "axial stiffness", sign=("positive",)),
+            ParameterSpec("EI", 1, "N m^2", "bending stiffness", sign=("not negative",)),
+            ParameterSpec("damping", 1, "s", "ratio of damping to stiffness of stretching", sign=("not negative",)),
+            ParameterSpec("bending_damping", 1, "s", "ratio of damping to stiffness of bending", sign=("not negative",)),
+        ),
+        kernels={
+            "law": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("sigma", (12,), tuple(range(12))),
+                    OutputSpec("tau", (0,), ()),
+                    OutputSpec("zd", (0,), ()),
+                    OutputSpec("U", (1,), (0,)),
+                    OutputSpec("P", (1,), (0,)),
+                ),
+                136,
+            ),
+            "tangent": KernelSpec(
+                ("e", "ed", "s", "z", "t", "p"),
+                (
+                    OutputSpec("J", (12, 24), (0, 12, 25, 37, 50, 62, 75, 87, 100, 112, 125, 137, 150, 162, 175, 187, 200, 212, 225, 237, 250, 262, 275, 287)),
+                ),
+                12,
+            ),
+        },
+        arguments=(
+            ArgumentSpec("e_0", unit="1"),
+            ArgumentSpec("e_1", unit="1"),
+            ArgumentSpec("e_2", unit="1"),
+            ArgumentSpec("e_3", unit="1/m"),
+            ArgumentSpec("e_4", unit="1/m"),
+            ArgumentSpec("e_5", unit="1/m"),
+            ArgumentSpec("e_6", unit="1/m"),
+            ArgumentSpec("e_7", unit="1/m"),
+            ArgumentSpec("e_8", unit="1/m"),
+            ArgumentSpec("e_9", unit="1/m"),
+            ArgumentSpec("e_10", unit="1/m"),
+            ArgumentSpec("e_11", unit="1/m"),
+        ),
+    ),
     # law spring_curve
     "spring_curve": LawSpec(
         name="spring_curve",
-        digest="1bb4fefea9bf7461",
+        digest="9aaaea561a751a9c",
         doc="y = x - origin, sum of c_i y^i in the piece in which x lies (x < next break), end pieces beyond\nsigma = that sum with x = e;  energy = its integral",
         deformations=1,
         slips=0,
@@ -5306,7 +6051,7 @@ LAWS: dict[str, LawSpec] = {
     # law damper_curve
     "damper_curve": LawSpec(
         name="damper_curve",
-        digest="1bb4fefea9bf7461",
+        digest="9aaaea561a751a9c",
         doc="y = x - origin, sum of c_i y^i in the piece in which x lies (x < next break), end pieces beyond\nsigma = that sum with x = the rate of e",
         deformations=1,
         slips=0,
@@ -5343,7 +6088,7 @@ LAWS: dict[str, LawSpec] = {
     # law stop
     "stop": LawSpec(
         name="stop",
-        digest="1bb4fefea9bf7461",
+        digest="9aaaea561a751a9c",
         doc="depth = max(0, e - gap);  sigma = stiffness depth max(0, 1 + damping edot), never pulling",
         deformations=1,
         slips=0,
@@ -5380,7 +6125,7 @@ LAWS: dict[str, LawSpec] = {
     # law vertical_tyre
     "vertical_tyre": LawSpec(
         name="vertical_tyre",
-        digest="1bb4fefea9bf7461",
+        digest="9aaaea561a751a9c",
         doc="sigma = Fz\nFz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0",
         deformations=1,
         slips=0,
@@ -5416,7 +6161,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_tyre
     "linear_tyre": LawSpec(
         name="linear_tyre",
-        digest="1bb4fefea9bf7461",
+        digest="9aaaea561a751a9c",
         doc="Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0\nslip angle alpha = atan(sideways/max(|forward|, standstill)), of the wheel's centre\ntau(lateral) = -fade Fy, tau(spin) = -fade Mz;  fade = 3 u^2 - 2 u^3, u = min(1, |forward|/standstill)\nFy = -cornering alpha - camber_stiffness camber while pressed, whatever the load;  Mz = -trail Fy",
         deformations=2,
         slips=4,
@@ -5461,7 +6206,7 @@ LAWS: dict[str, LawSpec] = {
     # law calspan_tyre
     "calspan_tyre": LawSpec(
         name="calspan_tyre",
-        digest="1bb4fefea9bf7461",
+        digest="9aaaea561a751a9c",
         doc="Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0\nslip angle alpha = atan(sideways/max(|forward|, standstill)), of the wheel's centre\ntau(lateral) = -fade Fy, tau(spin) = -fade Mz;  fade = 3 u^2 - 2 u^3, u = min(1, |forward|/standstill)\nF = min(Fz, A2): beyond the load A2 the data end, friction and stiffnesses keep their values there\nmu = SN (B1 F + B3 + B4 F^2),  C_alpha = A0 + A1 F (1 - F/A2),  C_gamma = A3 F (1 - F/A4)\nslip = -(C_alpha alpha + C_gamma camber)/(mu Fz), at most 3\nFy = mu Fz (slip - slip |slip|/3 + slip^3/27),  Mz = (AF1 Fz + AF2 |Fy|) Fy,  Fx = 0",
         deformations=2,
         slips=4,
@@ -5508,7 +6253,7 @@ LAWS: dict[str, LawSpec] = {
     # law magic_formula
     "magic_formula": LawSpec(
         name="magic_formula",
-        digest="1bb4fefea9bf7461",
+        digest="9aaaea561a751a9c",
         doc="Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0\nlx kappadot = Re rolling - forward - |forward| kappa\nly (tan alpha)dot = lateral - |forward| tan alpha,  lateral of the contact point\nmu = mu0 + mu1 min(1, Fz/Fz0 - 1),  Kx = kx Fz,  Ky = c1 Fz0 sin(2 atan(Fz/(c2 Fz0))),  Kg = kg Fz\nx = Kx kappa/(mu Fz),  y = (Ky tan alpha + Kg camber)/(mu Fz),  slip = |(x, y)|,  b = slip/C\n(Fx, Fy) = mu Fz sin(C atan(b - E (b - atan b))) (x, -y)/slip, combined slip by similarity\nMz = -t0 Fz/Fz0 cos(atan(B tan alpha)) Fy;  tau(longitudinal, lateral, spin) = -(Fx, Fy, Mz)",
         deformations=2,
         slips=5,
@@ -5562,7 +6307,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz
     "hertz": LawSpec(
         name="hertz",
-        digest="1bb4fefea9bf7461",
+        digest="9aaaea561a751a9c",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1)",
         deformations=1,
         slips=0,
@@ -5599,7 +6344,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_coulomb_1
     "hertz_coulomb_1": LawSpec(
         name="hertz_coulomb_1",
-        digest="1bb4fefea9bf7461",
+        digest="9aaaea561a751a9c",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1)\ntau = friction N s/sqrt(s.s + slip_speed^2)",
         deformations=1,
         slips=1,
@@ -5639,7 +6384,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_coulomb_2
     "hertz_coulomb_2": LawSpec(
         name="hertz_coulomb_2",
-        digest="1bb4fefea9bf7461",
+        digest="9aaaea561a751a9c",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1)\ntau = friction N s/sqrt(s.s + slip_speed^2)",
         deformations=1,
         slips=2,
@@ -5680,7 +6425,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_bristle_1
     "hertz_bristle_1": LawSpec(
         name="hertz_bristle_1",
-        digest="1bb4fefea9bf7461",
+        digest="9aaaea561a751a9c",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1) + stiffness d^exponent bristle_stiffness z.z/2\ndz/dt = s - bristle_stiffness |s| z/friction in contact, -release z when open\ntau = N (bristle_stiffness z + bristle_damping dz/dt)",
         deformations=1,
         slips=1,
@@ -5724,7 +6469,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_bristle_2
     "hertz_bristle_2": LawSpec(
         name="hertz_bristle_2",
-        digest="1bb4fefea9bf7461",
+        digest="9aaaea561a751a9c",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1) + stiffness d^exponent bristle_stiffness z.z/2\ndz/dt = s - bristle_stiffness |s| z/friction in contact, -release z when open\ntau = N (bristle_stiffness z + bristle_damping dz/dt)",
         deformations=1,
         slips=2,
@@ -5770,7 +6515,7 @@ LAWS: dict[str, LawSpec] = {
     # law journal
     "journal": LawSpec(
         name="journal",
-        digest="1bb4fefea9bf7461",
+        digest="9aaaea561a751a9c",
         doc="N_i = stiffness e_i + damping ed_i in two directions (i = 0, 1), N = |(N_0, N_1)|\ntorque = friction_radius N w/sqrt(w^2 + slip_speed^2) on the angle e_2, w = ed_2",
         deformations=3,
         slips=0,
@@ -5810,7 +6555,7 @@ LAWS: dict[str, LawSpec] = {
     # law friction
     "friction": LawSpec(
         name="friction",
-        digest="1bb4fefea9bf7461",
+        digest="9aaaea561a751a9c",
         doc="sigma = limit w/sqrt(w^2 + speed^2), w = edot",
         deformations=1,
         slips=0,
@@ -5846,7 +6591,7 @@ LAWS: dict[str, LawSpec] = {
     # law slip_friction
     "slip_friction": LawSpec(
         name="slip_friction",
-        digest="1bb4fefea9bf7461",
+        digest="9aaaea561a751a9c",
         doc="tau = limit w/sqrt(w^2 + speed^2), w the slip",
         deformations=0,
         slips=1,
@@ -5882,7 +6627,7 @@ LAWS: dict[str, LawSpec] = {
     # law limits
     "limits": LawSpec(
         name="limits",
-        digest="1bb4fefea9bf7461",
+        digest="9aaaea561a751a9c",
         doc="above = max(0, e - high), below = max(0, low - e)\nsigma = stiffness (above max(0, 1 + damping edot) - below max(0, 1 - damping edot))",
         deformations=1,
         slips=0,
@@ -5920,7 +6665,7 @@ LAWS: dict[str, LawSpec] = {
     # law loose_journal
     "loose_journal": LawSpec(
         name="loose_journal",
-        digest="1bb4fefea9bf7461",
+        digest="9aaaea561a751a9c",
         doc="r = |(e_0, e_1)|, depth = max(0, r - gap), N = stiffness depth max(0, 1 + damping dr/dt)\nsigma_i = N e_i/r (i = 0, 1);  torque = friction_radius N w/sqrt(w^2 + slip_speed^2) on e_2, w = ed_2",
         deformations=3,
         slips=0,
@@ -5961,7 +6706,7 @@ LAWS: dict[str, LawSpec] = {
     # law loose_ball
     "loose_ball": LawSpec(
         name="loose_ball",
-        digest="1bb4fefea9bf7461",
+        digest="9aaaea561a751a9c",
         doc="r = |(e_0, e_1, e_2)|, depth = max(0, r - gap), N = stiffness depth max(0, 1 + damping dr/dt)\nsigma_i = N e_i/r",
         deformations=3,
         slips=0,
@@ -6000,7 +6745,7 @@ LAWS: dict[str, LawSpec] = {
     # law held
     "held": LawSpec(
         name="held",
-        digest="1bb4fefea9bf7461",
+        digest="9aaaea561a751a9c",
         doc="sigma = -u, du/dt = 0",
         deformations=1,
         slips=0,
@@ -6035,7 +6780,7 @@ LAWS: dict[str, LawSpec] = {
     # law slip_held
     "slip_held": LawSpec(
         name="slip_held",
-        digest="1bb4fefea9bf7461",
+        digest="9aaaea561a751a9c",
         doc="tau = -u, du/dt = 0",
         deformations=0,
         slips=1,
@@ -6070,7 +6815,7 @@ LAWS: dict[str, LawSpec] = {
     # law memory
     "memory": LawSpec(
         name="memory",
-        digest="1bb4fefea9bf7461",
+        digest="9aaaea561a751a9c",
         doc="dz/dt = 0, without a force",
         deformations=0,
         slips=0,

@@ -5,6 +5,8 @@
  * radius = (d.d - rim^2)/(2 rim),  plane = a.d,  surface = n.xc - height,  lowest = n.ra
  * omega = 2 (lambdadot o conj(lambda)),  vc = xdot_w + omega x (xc - xw), the material point in contact
  * longitudinal = ra.vc/|ra|,  lateral = (n x ra).vc/|n x ra|,  spin = omega.n
+ * force: of the road on hub and contact point
+ * origin: xw, axes: columns of R(lambda) in rows: the frame that carries what a picture shows
  *
  * Source: Schwab and Meijaard 1999, ASME DETC99/VIB-8223 (wheel element); the crown lifts the contact off the rim's
  *   circle
@@ -1519,9 +1521,121 @@ static void toroidal_wheel_stiffness(size_t nblocks, const real *const *in, real
     }
 }
 
+/* outputs: 143 operations.
+ * in:  x (10), sigma (4), tau (3), p (9)
+ * out: force (3), origin (3), axes (3,3) */
+FLEXEL_CLONES
+static void toroidal_wheel_outputs(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (10 * 8);
+        const real *restrict sigma = in[1] + b * (4 * 8);
+        const real *restrict tau = in[2] + b * (3 * 8);
+        const real *restrict p = in[3] + b * (9 * 8);
+        real *restrict force = out[0] + b * (3 * 8);
+        real *restrict origin = out[1] + b * (3 * 8);
+        real *restrict axes = out[2] + b * (9 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real normal_x = p[5 * 8 + j];
+            const real sigma_surface = sigma[2 * 8 + j];
+            const real r_l0 = x[3 * 8 + j];
+            const real t0 = r_l0 * r_l0;
+            const real r_l2 = x[5 * 8 + j];
+            const real t1 = r_l2 * r_l2;
+            const real r_l1 = x[4 * 8 + j];
+            const real t2 = r_l1 * r_l1;
+            const real r_l3 = x[6 * 8 + j];
+            const real t3 = r_l3 * r_l3;
+            const real t4 = t0 + t1 - t2 - t3;
+            axes[4 * 8 + j] = t4; /* axes(1,1) */
+            const real axle_y = p[3 * 8 + j];
+            const real t5 = r_l0 * r_l3;
+            const real t6 = r_l1 * r_l2;
+            const real t7 = t5 + t6;
+            const real axle_x = p[2 * 8 + j];
+            const real t8 = r_l2 * r_l3;
+            const real t9 = r_l0 * r_l1;
+            const real t10 = t8 - t9;
+            const real axle_z = p[4 * 8 + j];
+            const real a_y = axle_y * t4 + 2.0 * (axle_x * t7 + axle_z * t10);
+            const real normal_z = p[7 * 8 + j];
+            const real sigma_lowest = sigma[3 * 8 + j];
+            const real t11 = normal_z * sigma_lowest;
+            const real w_x = x[0 * 8 + j];
+            origin[0 * 8 + j] = w_x;
+            const real c_x = x[7 * 8 + j];
+            const real arm_x = c_x - w_x;
+            const real crown = p[1 * 8 + j];
+            const real d_x = arm_x + crown * normal_x;
+            const real radius = p[0 * 8 + j];
+            const real rim = radius - crown;
+            const real sigma_radius = sigma[0 * 8 + j];
+            const real t12 = 1.0 / rim * sigma_radius;
+            const real t13 = t0 + t2 - t1 - t3;
+            axes[0 * 8 + j] = t13; /* axes(0,0) */
+            const real t14 = t6 - t5;
+            const real t15 = r_l0 * r_l2;
+            const real t16 = r_l1 * r_l3;
+            const real t17 = t15 + t16;
+            const real a_x = axle_x * t13 + 2.0 * (axle_y * t14 + axle_z * t17);
+            const real sigma_plane = sigma[1 * 8 + j];
+            const real t18 = t0 + t3 - t2 - t1;
+            axes[8 * 8 + j] = t18; /* axes(2,2) */
+            const real t19 = t16 - t15;
+            const real t20 = t9 + t8;
+            const real a_z = axle_z * t18 + 2.0 * (axle_x * t19 + axle_y * t20);
+            const real normal_y = p[6 * 8 + j];
+            const real t21 = normal_y * sigma_lowest;
+            const real t22 = d_x * t12 + sigma_plane * a_x + a_y * t11 - a_z * t21;
+            const real c_fx = normal_x * sigma_surface + t22;
+            const real w_y = x[1 * 8 + j];
+            origin[1 * 8 + j] = w_y;
+            const real c_y = x[8 * 8 + j];
+            const real arm_y = c_y - w_y;
+            const real d_y = arm_y + crown * normal_y;
+            const real ra_z = d_x * a_y - d_y * a_x;
+            const real w_z = x[2 * 8 + j];
+            origin[2 * 8 + j] = w_z;
+            const real c_z = x[9 * 8 + j];
+            const real arm_z = c_z - w_z;
+            const real d_z = arm_z + crown * normal_z;
+            const real ra_y = d_z * a_x - d_x * a_z;
+            const real across_x = normal_y * ra_z - normal_z * ra_y;
+            const real ra_x = d_y * a_z - d_z * a_y;
+            const real across_y = normal_z * ra_x - normal_x * ra_z;
+            const real across_z = normal_x * ra_y - normal_y * ra_x;
+            const real t23 = across_z * across_z + across_x * across_x + across_y * across_y;
+            const real across_length = real_sqrt(t23);
+            const real tau_lateral = tau[1 * 8 + j];
+            const real t24 = 1.0 / across_length * tau_lateral;
+            const real ra_length = real_sqrt(ra_z * ra_z + ra_x * ra_x + ra_y * ra_y);
+            const real tau_longitudinal = tau[0 * 8 + j];
+            const real t25 = 1.0 / ra_length * tau_longitudinal;
+            const real w_fx = across_x * t24 + ra_x * t25 - t22;
+            force[0 * 8 + j] = -(c_fx + w_fx);
+            const real t26 = normal_x * sigma_lowest;
+            const real t27 = d_y * t12 + sigma_plane * a_y + a_z * t26 - a_x * t11;
+            const real c_fy = normal_y * sigma_surface + t27;
+            const real w_fy = across_y * t24 + ra_y * t25 - t27;
+            force[1 * 8 + j] = -(c_fy + w_fy);
+            const real t28 = d_z * t12 + sigma_plane * a_z + a_x * t21 - a_y * t26;
+            const real c_fz = normal_z * sigma_surface + t28;
+            const real w_fz = across_z * t24 + ra_z * t25 - t28;
+            force[2 * 8 + j] = -(c_fz + w_fz);
+            axes[1 * 8 + j] = 2.0 * t7; /* axes(0,1) */
+            axes[2 * 8 + j] = 2.0 * t19; /* axes(0,2) */
+            axes[3 * 8 + j] = 2.0 * t14; /* axes(1,0) */
+            axes[5 * 8 + j] = 2.0 * t20; /* axes(1,2) */
+            axes[6 * 8 + j] = 2.0 * t17; /* axes(2,0) */
+            axes[7 * 8 + j] = 2.0 * t10; /* axes(2,1) */
+        }
+    }
+}
+
 const flexel_element flexel_toroidal_wheel = {
     .name = "toroidal_wheel",
-    .digest = "3f07eb2a0344c818",
+    .digest = "d76eaa28e8e36001",
     .n = 10,
     .m = 4,
     .k = 3,
@@ -1531,4 +1645,5 @@ const flexel_element flexel_toroidal_wheel = {
     .rates = toroidal_wheel_rates,
     .kinematics = toroidal_wheel_kinematics,
     .stiffness = toroidal_wheel_stiffness,
+    .outputs = toroidal_wheel_outputs,
 };

@@ -12,6 +12,7 @@
  * forward = ex.xdot_w,  sideways = ey.xdot_w,  rolling = omega.a,
  * longitudinal = ex.vc,  lateral = ey.vc,  spin = omega.n
  * grade = slope of the road along ex, rise for horizontal length times |horizontal part of ex|
+ * origin: w, axes: columns of R(lambda) in rows: the frame that carries what a picture shows
  *
  * Source: Frik, Leister, Schwartz 1993, Vehicle System Dynamics 22 suppl. (frames and slip angle of the wheel)
  *
@@ -3207,9 +3208,54 @@ static void tyre_on_road_stiffness(size_t nblocks, const real *const *in, real *
     }
 }
 
+/* outputs: 31 operations.
+ * in:  x (7), sigma (4), tau (6), p (12)
+ * out: origin (3), axes (3,3) */
+FLEXEL_CLONES
+static void tyre_on_road_outputs(size_t nblocks, const real *const *in, real *const *out)
+{
+    for (size_t b = 0; b < nblocks; b++) {
+        const real *restrict x = in[0] + b * (7 * 8);
+        real *restrict origin = out[0] + b * (3 * 8);
+        real *restrict axes = out[1] + b * (9 * 8);
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            const real w_x = x[0 * 8 + j];
+            origin[0 * 8 + j] = w_x;
+            const real w_y = x[1 * 8 + j];
+            origin[1 * 8 + j] = w_y;
+            const real w_z = x[2 * 8 + j];
+            origin[2 * 8 + j] = w_z;
+            const real r_l0 = x[3 * 8 + j];
+            const real t0 = r_l0 * r_l0;
+            const real r_l1 = x[4 * 8 + j];
+            const real t1 = r_l1 * r_l1;
+            const real r_l2 = x[5 * 8 + j];
+            const real t2 = r_l2 * r_l2;
+            const real r_l3 = x[6 * 8 + j];
+            const real t3 = r_l3 * r_l3;
+            axes[0 * 8 + j] = t0 + t1 - t2 - t3; /* axes(0,0) */
+            const real t4 = r_l0 * r_l3;
+            const real t5 = r_l1 * r_l2;
+            axes[1 * 8 + j] = 2.0 * (t4 + t5); /* axes(0,1) */
+            const real t6 = r_l1 * r_l3;
+            const real t7 = r_l0 * r_l2;
+            axes[2 * 8 + j] = 2.0 * (t6 - t7); /* axes(0,2) */
+            axes[3 * 8 + j] = 2.0 * (t5 - t4); /* axes(1,0) */
+            axes[4 * 8 + j] = t0 + t2 - t1 - t3; /* axes(1,1) */
+            const real t8 = r_l0 * r_l1;
+            const real t9 = r_l2 * r_l3;
+            axes[5 * 8 + j] = 2.0 * (t8 + t9); /* axes(1,2) */
+            axes[6 * 8 + j] = 2.0 * (t7 + t6); /* axes(2,0) */
+            axes[7 * 8 + j] = 2.0 * (t9 - t8); /* axes(2,1) */
+            axes[8 * 8 + j] = t0 + t3 - t1 - t2; /* axes(2,2) */
+        }
+    }
+}
+
 const flexel_element flexel_tyre_on_road = {
     .name = "tyre_on_road",
-    .digest = "20f7aca61131af30",
+    .digest = "964aa91b3a82b306",
     .n = 7,
     .m = 4,
     .k = 6,
@@ -3219,4 +3265,5 @@ const flexel_element flexel_tyre_on_road = {
     .rates = tyre_on_road_rates,
     .kinematics = tyre_on_road_kinematics,
     .stiffness = tyre_on_road_stiffness,
+    .outputs = tyre_on_road_outputs,
 };

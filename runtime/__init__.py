@@ -9,10 +9,19 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from flexel.analyses.stepper import Stepper
-    from flexel.analyses.summary import Summary
+    from flexel.apps.flexures.declaring import flexure_model
+    from flexel.apps.flexures.flexure import flexure
+    from flexel.apps.flexures.properties import ElementProperties, FlexureOptions, NodeProperties
+    from flexel.apps.spacar.reading import Spacar, read_spacar
+    from flexel.apps.sweeps.dataset import open_sweep
+    from flexel.apps.sweeps.parameter_sweep import sweep
+    from flexel.apps.sweeps.points import Points, grid, listed
+    from flexel.apps.sweeps.sampled_points import sample
+    from flexel.apps.view.scene import View
+    from flexel.apps.view.solids import Box, Cylinder, Mesh, Sketch
     from flexel.base.errors import (
         AssemblyWarning,
+        AuditWarning,
         CompilerError,
         ConstraintError,
         CoordinateWarning,
@@ -31,57 +40,54 @@ if TYPE_CHECKING:
     from flexel.base.quaternions import turn
     from flexel.base.time_functions import Harmonic, Polynomial, Ramp
     from flexel.base.time_tables import Table
-    from flexel.declare.closed_profile import ClosedProfile
-    from flexel.declare.curves import Curve
-    from flexel.declare.materials import Material
-    from flexel.declare.round_sections import Circle, Tube
-    from flexel.declare.sections import IBeam, Rectangle, SectionForces, StressPoint
-    from flexel.declare.thin_sections import LBeam, UBeam
-    from flexel.declare.user import compile_element, compile_law
-    from flexel.declare.wheels import Waves
-    from flexel.derive.errors import ElementError, FlexelError
-    from flexel.flexures.declaring import flexure_model
-    from flexel.flexures.flexure import flexure
-    from flexel.flexures.properties import ElementProperties, FlexureOptions, NodeProperties
+    from flexel.derive.definition_errors import ElementError, FlexelError
     from flexel.integration.events import Event
     from flexel.linear.sampled import SampledLoop
-    from flexel.mechanics.constraints import ConstraintReport
     from flexel.mechanics.findings import CheckReport, Finding
-    from flexel.mechanics.linearization import Linearization
     from flexel.mechanics.modes import Mode, Reduced
-    from flexel.mechanics.stress import BeamStress
-    from flexel.model import Model
-    from flexel.pictures.scene import View
-    from flexel.pictures.solids import Box, Cylinder, Mesh, Sketch
-    from flexel.results.branch import PeriodicBranch
+    from flexel.model.constraints import ConstraintReport
+    from flexel.model.profiles import SectionForces, StressPoint
+    from flexel.model.rigid_body import RigidBody
+    from flexel.model.state import State
+    from flexel.model.stress import BeamStress
+    from flexel.parts.closed_profile import ClosedProfile
+    from flexel.parts.curves import Curve
+    from flexel.parts.element_page import ElementPage, ElementValues, page
+    from flexel.parts.elements import compile_element, compile_law
+    from flexel.parts.materials import Material
+    from flexel.parts.model import Model
+    from flexel.parts.opening import load
+    from flexel.parts.rope import Rope
+    from flexel.parts.rope_contacts import Contact
+    from flexel.parts.rope_surfaces import HelicalGroove, RoundGroove, VGroove
+    from flexel.parts.round_sections import Circle, Tube
+    from flexel.parts.sections import IBeam, Rectangle
+    from flexel.parts.thin_sections import LBeam, UBeam
+    from flexel.parts.wheels import Waves
+    from flexel.parts.wire_rope import WireRope
+    from flexel.results.analyses.stepper import Stepper
+    from flexel.results.analyses.summary import Summary
     from flexel.results.ensemble import Ensemble
-    from flexel.results.flexure import Flexure
+    from flexel.results.flexure_result import Flexure
     from flexel.results.flexure_step import FlexureElement, FlexureNode, FlexureStep
     from flexel.results.interrupted import Interrupted
+    from flexel.results.linearization import Linearization
     from flexel.results.linearizations import Linearizations, RootLoci
     from flexel.results.motion import Motion
-    from flexel.results.periodic import PeriodicSolution
-    from flexel.results.saved.loading import load
+    from flexel.results.periodic_branch import PeriodicBranch
+    from flexel.results.periodic_motion import PeriodicSolution
     from flexel.results.saved.spacar_records import SpacarRecords
-    from flexel.rope.contacts import Contact
-    from flexel.rope.rope import Rope
-    from flexel.rope.surfaces import HelicalGroove, RoundGroove, VGroove
-    from flexel.rope.wire_rope import WireRope
-    from flexel.spacar.reading import Spacar, read_spacar
+    from flexel.results.small_motion import SmallMotion
+    from flexel.results.system_facade import System
+    from flexel.results.time_varying import TimeVarying
     from flexel.statics.compliance import Compliance
     from flexel.statics.stability import BucklingMode, Vibration
-    from flexel.structure.rigid_bodies import RigidBody
-    from flexel.structure.state import State
-    from flexel.sweeps.dataset import open_sweep
-    from flexel.sweeps.points import Points, grid, listed
-    from flexel.sweeps.sampling import sample
-    from flexel.sweeps.sweep import sweep
-    from flexel.system import System
 
 __version__ = "0.1.0"
 
 __all__ = [
     "AssemblyWarning",
+    "AuditWarning",
     "BeamStress",
     "Box",
     "BucklingMode",
@@ -99,7 +105,9 @@ __all__ = [
     "DampingWarning",
     "DynamicsError",
     "ElementError",
+    "ElementPage",
     "ElementProperties",
+    "ElementValues",
     "Ensemble",
     "Event",
     "Finding",
@@ -142,6 +150,7 @@ __all__ = [
     "SampledLoop",
     "SectionForces",
     "Sketch",
+    "SmallMotion",
     "Spacar",
     "SpacarRecords",
     "State",
@@ -151,6 +160,7 @@ __all__ = [
     "Summary",
     "System",
     "Table",
+    "TimeVarying",
     "Tube",
     "UBeam",
     "UnstableWarning",
@@ -168,6 +178,7 @@ __all__ = [
     "listed",
     "load",
     "open_sweep",
+    "page",
     "read_spacar",
     "sample",
     "sweep",
@@ -176,95 +187,101 @@ __all__ = [
 
 _HOMES = {
     "AssemblyWarning": "flexel.base.errors",
-    "BeamStress": "flexel.mechanics.stress",
-    "Box": "flexel.pictures.solids",
+    "AuditWarning": "flexel.base.errors",
+    "BeamStress": "flexel.model.stress",
+    "Box": "flexel.apps.view.solids",
     "BucklingMode": "flexel.statics.stability",
     "CheckReport": "flexel.mechanics.findings",
-    "Circle": "flexel.declare.round_sections",
-    "ClosedProfile": "flexel.declare.closed_profile",
+    "Circle": "flexel.parts.round_sections",
+    "ClosedProfile": "flexel.parts.closed_profile",
     "CompilerError": "flexel.base.errors",
     "Compliance": "flexel.statics.compliance",
     "ConstraintError": "flexel.base.errors",
     "CoordinateWarning": "flexel.base.errors",
-    "ConstraintReport": "flexel.mechanics.constraints",
-    "Contact": "flexel.rope.contacts",
-    "Curve": "flexel.declare.curves",
-    "Cylinder": "flexel.pictures.solids",
+    "ConstraintReport": "flexel.model.constraints",
+    "Contact": "flexel.parts.rope_contacts",
+    "Curve": "flexel.parts.curves",
+    "Cylinder": "flexel.apps.view.solids",
     "DampingWarning": "flexel.base.errors",
     "DynamicsError": "flexel.base.errors",
-    "ElementError": "flexel.derive.errors",
-    "ElementProperties": "flexel.flexures.properties",
+    "ElementError": "flexel.derive.definition_errors",
+    "ElementPage": "flexel.parts.element_page",
+    "ElementProperties": "flexel.apps.flexures.properties",
+    "ElementValues": "flexel.parts.element_page",
     "Ensemble": "flexel.results.ensemble",
     "Event": "flexel.integration.events",
     "Finding": "flexel.mechanics.findings",
-    "FlexelError": "flexel.derive.errors",
-    "Flexure": "flexel.results.flexure",
+    "FlexelError": "flexel.derive.definition_errors",
+    "Flexure": "flexel.results.flexure_result",
     "FlexureElement": "flexel.results.flexure_step",
     "FlexureNode": "flexel.results.flexure_step",
-    "FlexureOptions": "flexel.flexures.properties",
+    "FlexureOptions": "flexel.apps.flexures.properties",
     "FlexureStep": "flexel.results.flexure_step",
     "Harmonic": "flexel.base.time_functions",
-    "HelicalGroove": "flexel.rope.surfaces",
-    "IBeam": "flexel.declare.sections",
+    "HelicalGroove": "flexel.parts.rope_surfaces",
+    "IBeam": "flexel.parts.sections",
     "IncompleteWarning": "flexel.base.errors",
     "Interrupted": "flexel.results.interrupted",
-    "LBeam": "flexel.declare.thin_sections",
-    "Linearization": "flexel.mechanics.linearization",
+    "LBeam": "flexel.parts.thin_sections",
+    "Linearization": "flexel.results.linearization",
     "LinearizationError": "flexel.base.errors",
     "Linearizations": "flexel.results.linearizations",
-    "Material": "flexel.declare.materials",
-    "Mesh": "flexel.pictures.solids",
+    "Material": "flexel.parts.materials",
+    "Mesh": "flexel.apps.view.solids",
     "Mode": "flexel.mechanics.modes",
-    "Model": "flexel.model",
+    "Model": "flexel.parts.model",
     "ModelError": "flexel.base.errors",
     "ModelWarning": "flexel.base.errors",
     "Motion": "flexel.results.motion",
-    "NodeProperties": "flexel.flexures.properties",
-    "PeriodicBranch": "flexel.results.branch",
-    "PeriodicSolution": "flexel.results.periodic",
-    "Points": "flexel.sweeps.points",
+    "NodeProperties": "flexel.apps.flexures.properties",
+    "PeriodicBranch": "flexel.results.periodic_branch",
+    "PeriodicSolution": "flexel.results.periodic_motion",
+    "Points": "flexel.apps.sweeps.points",
     "Polynomial": "flexel.base.time_functions",
     "PositionError": "flexel.base.errors",
     "Ramp": "flexel.base.time_functions",
     "RangeWarning": "flexel.base.errors",
-    "Rectangle": "flexel.declare.sections",
+    "Rectangle": "flexel.parts.sections",
     "Reduced": "flexel.mechanics.modes",
-    "RigidBody": "flexel.structure.rigid_bodies",
+    "RigidBody": "flexel.model.rigid_body",
     "RootLoci": "flexel.results.linearizations",
-    "Rope": "flexel.rope.rope",
-    "RoundGroove": "flexel.rope.surfaces",
+    "Rope": "flexel.parts.rope",
+    "RoundGroove": "flexel.parts.rope_surfaces",
     "SampledLoop": "flexel.linear.sampled",
-    "SectionForces": "flexel.declare.sections",
-    "Sketch": "flexel.pictures.solids",
-    "Spacar": "flexel.spacar.reading",
+    "SectionForces": "flexel.model.profiles",
+    "Sketch": "flexel.apps.view.solids",
+    "SmallMotion": "flexel.results.small_motion",
+    "Spacar": "flexel.apps.spacar.reading",
     "SpacarRecords": "flexel.results.saved.spacar_records",
-    "State": "flexel.structure.state",
-    "Stepper": "flexel.analyses.stepper",
-    "Summary": "flexel.analyses.summary",
+    "State": "flexel.model.state",
+    "Stepper": "flexel.results.analyses.stepper",
+    "Summary": "flexel.results.analyses.summary",
     "StiffWarning": "flexel.base.errors",
-    "StressPoint": "flexel.declare.sections",
-    "System": "flexel.system",
+    "StressPoint": "flexel.model.profiles",
+    "System": "flexel.results.system_facade",
     "Table": "flexel.base.time_tables",
-    "UBeam": "flexel.declare.thin_sections",
-    "Tube": "flexel.declare.round_sections",
+    "TimeVarying": "flexel.results.time_varying",
+    "UBeam": "flexel.parts.thin_sections",
+    "Tube": "flexel.parts.round_sections",
     "UnstableWarning": "flexel.base.errors",
     "UnsteadyWarning": "flexel.base.errors",
-    "VGroove": "flexel.rope.surfaces",
+    "VGroove": "flexel.parts.rope_surfaces",
     "Vibration": "flexel.statics.stability",
-    "View": "flexel.pictures.scene",
-    "Waves": "flexel.declare.wheels",
-    "WireRope": "flexel.rope.wire_rope",
-    "compile_element": "flexel.declare.user",
-    "compile_law": "flexel.declare.user",
-    "flexure": "flexel.flexures.flexure",
-    "flexure_model": "flexel.flexures.declaring",
-    "grid": "flexel.sweeps.points",
-    "listed": "flexel.sweeps.points",
-    "load": "flexel.results.saved.loading",
-    "open_sweep": "flexel.sweeps.dataset",
-    "read_spacar": "flexel.spacar.reading",
-    "sample": "flexel.sweeps.sampling",
-    "sweep": "flexel.sweeps.sweep",
+    "View": "flexel.apps.view.scene",
+    "Waves": "flexel.parts.wheels",
+    "WireRope": "flexel.parts.wire_rope",
+    "compile_element": "flexel.parts.elements",
+    "compile_law": "flexel.parts.elements",
+    "flexure": "flexel.apps.flexures.flexure",
+    "flexure_model": "flexel.apps.flexures.declaring",
+    "grid": "flexel.apps.sweeps.points",
+    "listed": "flexel.apps.sweeps.points",
+    "load": "flexel.parts.opening",
+    "open_sweep": "flexel.apps.sweeps.dataset",
+    "page": "flexel.parts.element_page",
+    "read_spacar": "flexel.apps.spacar.reading",
+    "sample": "flexel.apps.sweeps.sampled_points",
+    "sweep": "flexel.apps.sweeps.parameter_sweep",
     "turn": "flexel.base.quaternions",
 }
 

@@ -18,13 +18,14 @@ import flexel as fx
 
 VALID = VALUES | MODELS | JOINTS | SYSTEMS | RESULTS | FLEXURES
 OWN_WARNINGS = (
-    fx.AssemblyWarning, fx.CoordinateWarning, fx.DampingWarning, fx.IncompleteWarning, fx.ModelWarning,
+    fx.AssemblyWarning, fx.AuditWarning, fx.CoordinateWarning, fx.DampingWarning, fx.IncompleteWarning, fx.ModelWarning,
     fx.RangeWarning,
     fx.StiffWarning, fx.UnstableWarning, fx.UnsteadyWarning,
 )  # fmt: skip
 # Classes whose objects flexel makes: their constructors are not for users.
 MADE_BY_FLEXEL = {
-    "BeamStress", "BucklingMode", "CheckReport", "Compliance", "ConstraintReport", "Ensemble", "Finding",
+    "BeamStress", "BucklingMode", "CheckReport", "Compliance", "ConstraintReport", "ElementPage", "ElementValues",
+    "Ensemble", "Finding",
     "Flexure", "FlexureElement", "FlexureNode", "FlexureStep",
     "Linearization", "Linearizations", "Mode", "Motion", "PeriodicBranch", "PeriodicSolution", "Points",
     "Reduced", "RigidBody", "RootLoci", "Rope", "SampledLoop", "Spacar", "SpacarRecords", "State", "Stepper",
@@ -73,7 +74,9 @@ def public_calls() -> Iterator[tuple[str, inspect.Signature]]:
             if method[0] == "_" or label in INTERNAL:
                 continue
             signature = inspect.signature(called)
-            if set(signature.parameters) - {"self"}:
+            if inspect.isfunction(called):  # the first argument is `self`, or the system of an analysis
+                signature = signature.replace(parameters=list(signature.parameters.values())[1:])
+            if signature.parameters:
                 yield label, signature
 
 
@@ -83,11 +86,11 @@ def cases() -> list[Case]:
     for name, signature in public_calls():
         arguments = VALID[name]().arguments
         for parameter in signature.parameters:
-            if parameter == "self":
-                continue
-            found += [Case(name, parameter, z) for z in JUNK]
+            found += [Case(name, parameter, kind) for kind in JUNK]
             given = arguments.get(parameter)
-            found += [Case(name, parameter, z, True) for z in ENTRIES if inside(given, z) is not None]
+            found += [
+                Case(name, parameter, kind, True) for kind in ENTRIES if inside(given, kind) is not None
+            ]
     return found
 
 
@@ -102,26 +105,26 @@ def called(case: Case) -> tuple[Any, str]:
     arguments[case.parameter] = (given,) if several and not case.entry else given
     if parameter.kind is parameter.VAR_KEYWORD and not isinstance(given, dict):
         arguments[case.parameter] = {"junk": given}
-    result = base.function(*_positional(signature, arguments), **_named(signature, arguments))
+    result = base.function(*positional(signature, arguments), **named(signature, arguments))
     base.after(result)
     return result, str(parameter.annotation)
 
 
-def _positional(signature: inspect.Signature, arguments: dict[str, Any]) -> list[Any]:
+def positional(signature: inspect.Signature, arguments: dict[str, Any]) -> list[Any]:
     """What stands before and at ``*names``."""
     names = list(signature.parameters.values())
-    star = next((i for i, z in enumerate(names) if z.kind is z.VAR_POSITIONAL), None)
-    only = [z.name for z in names if z.kind is z.POSITIONAL_ONLY]
-    before = [z.name for z in names[:star]] if star is not None else only
-    found = [arguments.pop(z) for z in before if z in arguments]
+    star = next((i for i, parameter in enumerate(names) if parameter.kind is parameter.VAR_POSITIONAL), None)
+    only = [parameter.name for parameter in names if parameter.kind is parameter.POSITIONAL_ONLY]
+    before = [parameter.name for parameter in names[:star]] if star is not None else only
+    found = [arguments.pop(name) for name in before if name in arguments]
     return found + list(arguments.pop(names[star].name, ())) if star is not None else found
 
 
-def _named(signature: inspect.Signature, arguments: dict[str, Any]) -> dict[str, Any]:
+def named(signature: inspect.Signature, arguments: dict[str, Any]) -> dict[str, Any]:
     """The rest, with the entries of ``**options`` as arguments."""
     found = dict(arguments)
-    for name, z in signature.parameters.items():
-        if z.kind is z.VAR_KEYWORD:
+    for name, parameter in signature.parameters.items():
+        if parameter.kind is parameter.VAR_KEYWORD:
             found |= {str(key): value for key, value in found.pop(name, {}).items()}
     return found
 
@@ -140,7 +143,7 @@ def verdict(case: Case) -> str:
             if isinstance(error, TypeError) and NO_OPTION in str(error):
                 return ""
             return f"{type(error).__name__}: {error}"[:300]
-    foreign = [z for z in caught if not issubclass(z.category, OWN_WARNINGS)]
+    foreign = [warning for warning in caught if not issubclass(warning.category, OWN_WARNINGS)]
     if foreign:
         return f"warning {foreign[0].category.__name__}: {foreign[0].message}"[:300]
     definite = case.entry and case.kind in NOT_FINITE

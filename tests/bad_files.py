@@ -21,13 +21,13 @@ from valid_flexures import found as leaf
 from valid_results import forced, swing
 
 import flexel as fx
-from flexel.results.saved.files import FORMATS, read, write
 from flexel.results.saved.record import Record
+from flexel.results.saved.record_files import FORMATS, read, write
 
 DATA = Path(__file__).parent / "data"
 RESULTS = ("motion", "linearization", "periodic", "flexure")
 SAVED = [f"{kind}{suffix}" for kind in RESULTS for suffix in FORMATS]
-SPACAR = [z.name for z in sorted(DATA.glob("*.dat"))]
+SPACAR = [path.name for path in sorted(DATA.glob("*.dat"))]
 FOLDER = ["sweep.json", "status.npy", "points/0.npy", "values/0.npy"]  # of the folder of a sweep
 WORDS = (
     "nan",
@@ -97,8 +97,8 @@ def _without(data: bytes, r: random.Random) -> bytes:
 def _word(data: bytes, r: random.Random) -> bytes:
     """Another word in place of one of a text."""
     words = list(re.finditer(rb"[^\s,:\[\]{}]+", data))
-    z = r.choice(words)
-    return data[: z.start()] + r.choice(WORDS).encode() + data[z.end() :]
+    word = r.choice(words)
+    return data[: word.start()] + r.choice(WORDS).encode() + data[word.end() :]
 
 
 def _line(data: bytes, r: random.Random) -> bytes:
@@ -122,14 +122,18 @@ def _record(found: Record, how: str, r: random.Random) -> Record:
     """A record that fits its digest and says something else."""
     variables, labels, header = dict(found.variables), dict(found.labels), dict(found.header)
     name = r.choice(sorted(variables))
-    z = variables[name]
+    variable = variables[name]
     if how == "no array":
         del variables[name]
     elif how in ("short array", "long array"):
-        values = z.values[:-1] if how == "short array" else np.concatenate([z.values, z.values])
-        variables[name] = replace(z, values=np.asarray(values))
+        values = (
+            variable.values[:-1]
+            if how == "short array"
+            else np.concatenate([variable.values, variable.values])
+        )
+        variables[name] = replace(variable, values=np.asarray(values))
     elif how == "nan":
-        variables[name] = replace(z, values=np.full(z.values.shape, np.nan))
+        variables[name] = replace(variable, values=np.full(variable.values.shape, np.nan))
     elif how == "other names" and labels:
         dim = r.choice(sorted(labels))
         labels[dim] = tuple(f"other {name}" for name in labels[dim])
@@ -150,7 +154,9 @@ def cases(count: int) -> list[Damage]:
         found += [Damage(file, how, i) for how in kinds for i in range(count)]
         if file in SAVED:
             fitting = [
-                z for z in CHANGES if not (z.endswith(" array") and file.endswith((".mat", ".csv", ".nc")))
+                how
+                for how in CHANGES
+                if not (how.endswith(" array") and file.endswith((".mat", ".csv", ".nc")))
             ]
             found += [Damage(file, how, i) for how in fitting for i in range(min(count, 8))]
     return found
@@ -190,8 +196,8 @@ def _other_numbers(damage: Damage, found: Any) -> bool:
     if mine.variables.keys() != theirs.variables.keys():
         return True
     return not all(
-        np.array_equal(mine.variables[z].values, theirs.variables[z].values, equal_nan=True)
-        for z in mine.variables
+        np.array_equal(mine.variables[name].values, theirs.variables[name].values, equal_nan=True)
+        for name in mine.variables
     )
 
 
@@ -211,5 +217,5 @@ def verdict(damage: Damage) -> str:
             return "" if len(str(error)) > 20 else f"says only {error!s}"
         except Exception as error:
             return f"{type(error).__name__}: {error}"[:300]
-    foreign = [z for z in caught if not issubclass(z.category, OWN_WARNINGS)]
+    foreign = [warning for warning in caught if not issubclass(warning.category, OWN_WARNINGS)]
     return f"warning {foreign[0].category.__name__}: {foreign[0].message}"[:300] if foreign else ""

@@ -18,7 +18,7 @@ def verdicts(cases: Sequence[Any], folder: Path) -> dict[str, str]:
     """What is wrong with each case of which something is, by its text."""
     kind = type(cases[0])
     file = folder / "cases.jsonl"
-    file.write_text("".join(f"{json.dumps(astuple(z))}\n" for z in cases))
+    file.write_text("".join(f"{json.dumps(astuple(case))}\n" for case in cases))
     found: dict[str, str] = {}
     first = 0
     while first < len(cases):
@@ -74,4 +74,4 @@ def _lines(process: subprocess.Popen[bytes]) -> Iterator[str]:
             return
         *whole, rest = (rest + read).split(b"\n")
         wait = LIMIT
-        yield from (z.decode() for z in whole)
+        yield from (line.decode() for line in whole)

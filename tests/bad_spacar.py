@@ -10,13 +10,13 @@ from pathlib import Path
 from bad_calls import OWN_WARNINGS
 
 import flexel as fx
-from flexel.spacar.convert import python_source
-from flexel.spacar.keywords import KEYWORDS, UNSUPPORTED
-from flexel.spacar.modes import MODES
-from flexel.spacar.picture import HEADS, PROPERTIES
+from flexel.apps.spacar.analysis_modes import MODES
+from flexel.apps.spacar.keywords import KEYWORDS, UNSUPPORTED
+from flexel.apps.spacar.picture import HEADS, PROPERTIES
+from flexel.apps.spacar.python_program import python_source
 
 DATA = Path(__file__).parent / "data"
-FILES = [z.name for z in sorted(DATA.glob("*.dat"))]
+FILES = [path.name for path in sorted(DATA.glob("*.dat"))]
 STEPS = 20  # most load steps that are tried
 NUMBERS = (
     "0",
@@ -157,7 +157,7 @@ def verdict(mistake: Mistake) -> str:
                 return f"says only {error!s}"
         except Exception as error:
             return f"{type(error).__name__}: {error}"[:300]
-    foreign = [z for z in caught if not issubclass(z.category, OWN_WARNINGS)]
+    foreign = [warning for warning in caught if not issubclass(warning.category, OWN_WARNINGS)]
     return f"warning {foreign[0].category.__name__}: {foreign[0].message}"[:300] if foreign else ""
 
 
@@ -166,7 +166,7 @@ def _use(path: Path, seed: int) -> None:
     try:
         file = fx.read_spacar(path)
     except fx.ModelError as error:
-        if not all(re.match(rf"{path.name}(, lines? \d|: )|… and", z) for z in str(error).splitlines()):
+        if not all(re.match(rf"{path.name}(, lines? \d|: )|… and", line) for line in str(error).splitlines()):
             raise UnplacedError(f"does not say where: {error!s}") from error
         raise
     compile(python_source(file), "converted.py", "exec")

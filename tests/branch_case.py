@@ -158,10 +158,10 @@ def _limit(case: Case, options: dict[str, Any]) -> float:
 def table(verdicts: Iterable[Verdict]) -> str:
     """A line of counts and, below it, the failures by name."""
     verdicts = list(verdicts)
-    counts = [sum(z.kind == kind for z in verdicts) for kind in ("wrong", "refused")]
-    done = [z.evaluations for z in verdicts if z.kind != "refused"]
+    counts = [sum(verdict.kind == kind for verdict in verdicts) for kind in ("wrong", "refused")]
+    done = [verdict.evaluations for verdict in verdicts if verdict.kind != "refused"]
     median = np.median(done) if done else np.nan
     first = (
         f"{len(verdicts)} motions: {counts[0]} wrong, {counts[1]} refused; median evaluations {median:.0f}"
     )
-    return "\n".join([first, *(str(z) for z in verdicts if z.fails)])
+    return "\n".join([first, *(str(verdict) for verdict in verdicts if verdict.fails)])

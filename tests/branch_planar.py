@@ -36,15 +36,17 @@ def case(name: str, rods: Rods, good: tuple[str, ...], size: float = 0.0) -> Cas
     """A motion of rods; any coordinates but the good ones are bad."""
     m = model(rods)
     free = [i for i in range(len(rods.points)) if not np.all(m.nodes[f"P{i}"].fixed)]
-    names = tuple(z for z in rods.names if z[0] == "R" or int(z[1]) in free)
+    names = tuple(
+        coordinate for coordinate in rods.names if coordinate[0] == "R" or int(coordinate[1]) in free
+    )
 
     def exact() -> Callable[[Array], Array]:
         y = rods.follow(1.0)
-        rows = [rods.names.index(z) for z in names]
+        rows = [rods.names.index(coordinate) for coordinate in names]
         return lambda t: rods.values(y(t))[rows]
 
     held = {f"P{len(rods.points) - 1}.y"} if rods.held == [1] else set()
-    candidates = tuple(z for z in names if z not in held.union(good))
+    candidates = tuple(coordinate for coordinate in names if coordinate not in held.union(good))
     return Case(name, lambda: model(rods), good, candidates, names, exact, float(np.max(rods.lengths)))
 
 

@@ -20,8 +20,8 @@ def case(name: str, model: Maker, good: tuple[str, ...], candidates: Sequence[st
     """A motion compared in all free coordinates and in the angles among the good ones."""
     m = model()
     m.independent(*good)
-    reference = Constrained(m.build(), [z for z in good if z.endswith(".angle")])
-    size = max(float(np.max(np.abs(z.x0))) for z in m.nodes.values() if z.kind == "point")
+    reference = Constrained(m.build(), [coordinate for coordinate in good if coordinate.endswith(".angle")])
+    size = max(float(np.max(np.abs(node.x0))) for node in m.nodes.values() if node.kind == "point")
 
     def exact() -> Callable[[Array], Array]:
         y = reference.follow(1.0)
@@ -32,7 +32,7 @@ def case(name: str, model: Maker, good: tuple[str, ...], candidates: Sequence[st
 
 def points(*names: str) -> tuple[str, ...]:
     """Coordinates of points."""
-    return tuple(f"{name}.{z}" for name in names for z in "xyz")
+    return tuple(f"{name}.{axis}" for name in names for axis in "xyz")
 
 
 def parameters(*names: str) -> tuple[str, ...]:
@@ -81,8 +81,8 @@ def ball(name: str, rng: Rng) -> Case:
         m = bodies()
         for i in range(2):
             sensor = m.angular_velocity(f"F{i}")
-            for z, rate in zip("xyz", omega[i], strict=True):
-                m.initial(f"{sensor}.w{z}", rate=rate)
+            for axis, rate in zip("xyz", omega[i], strict=True):
+                m.initial(f"{sensor}.w{axis}", rate=rate)
         return m
 
     m = model()
@@ -106,7 +106,9 @@ def rssr(name: str, rng: Rng) -> Case:
         m.point("D", d, fixed=True)
         m.point("B", (0, 0.15, 0))
         m.point("C", c)
-        ground, crank, rocker = (m.frame(z, fixed=z == "ground") for z in ("ground", "crank", "rocker"))
+        ground, crank, rocker = (
+            m.frame(name, fixed=name == "ground") for name in ("ground", "crank", "rocker")
+        )
         m.hinge("input", ground, crank, axis=(0, 0, 1))
         m.hinge("output", ground, rocker, axis=axis)
         m.beam("crank bar", "A", crank, "B", mass_per_length=1.0)
@@ -129,7 +131,9 @@ def wheel(name: str, rng: Rng) -> Case:
 
     def model() -> fx.Model:
         m = fx.Model(gravity=(0, 0, -9.81))
-        ground, yawed, leaned, rolled = (m.frame(z, fixed=z == "ground") for z in ("ground", "Y", "L", "S"))
+        ground, yawed, leaned, rolled = (
+            m.frame(name, fixed=name == "ground") for name in ("ground", "Y", "L", "S")
+        )
         m.point("hub", 0.4 * up)
         m.point("contact", (0, 0, 0))
         m.hinge("yaw", ground, yawed, axis=(0, 0, 1))

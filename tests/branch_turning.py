@@ -22,7 +22,9 @@ def shafts(beta: float, *inertia: float) -> fx.Model:
     """Two shafts at an angle beta with a Cardan joint between them."""
     m = fx.Model()
     O = m.point("O", (0, 0, 0), fixed=True)
-    ground, one, cross, two = (m.frame(z, fixed=z == "ground") for z in ("ground", "one", "cross", "two"))
+    ground, one, cross, two = (
+        m.frame(name, fixed=name == "ground") for name in ("ground", "one", "cross", "two")
+    )
     m.hinge("drive", ground, one, axis=(1, 0, 0))
     m.hinge("pin1", one, cross, axis=(0, 1, 0))
     m.hinge("pin2", cross, two, axis=(0, 0, 1))
@@ -49,7 +51,9 @@ def cardan(name: str, rng: Rng) -> Case:
         return m
 
     def speed(t: float, y: Array) -> Array:
-        inertia = [J1 + J2 * (np.cos(beta) / (1 - (np.sin(beta) * np.cos(z)) ** 2)) ** 2 for z in (0.0, y[0])]
+        inertia = [
+            J1 + J2 * (np.cos(beta) / (1 - (np.sin(beta) * np.cos(angle)) ** 2)) ** 2 for angle in (0.0, y[0])
+        ]
         return np.array([rate * np.sqrt(inertia[0] / inertia[1])])
 
     def exact() -> Callable[[Array], Array]:

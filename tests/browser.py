@@ -42,7 +42,7 @@ Place = tuple[float, float]
 
 def missing(name: str) -> str:
     """Why a browser cannot be driven here; empty where it can."""
-    wanted = [PACKAGES[z] for z in NEEDED[name] if PROGRAMS[z] is None]
+    wanted = [PACKAGES[program] for program in NEEDED[name] if PROGRAMS[program] is None]
     if wanted:
         return f"the viewer in {name.title()} is not tested: apt-get install {' '.join(wanted)}"
     if name == "firefox" and importlib.util.find_spec("websockets") is None:
@@ -160,7 +160,9 @@ class Browser(ABC):
 
     def frame(self) -> None:
         """Wait until the requested drawing is complete."""
-        self.value("new Promise((z) => requestAnimationFrame(() => requestAnimationFrame(() => z(0))))")
+        self.value(
+            "new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(() => resolve(0))))"
+        )
 
     def click(self, selector: str) -> None:
         """Click in the middle of an element."""
@@ -183,8 +185,8 @@ class Browser(ABC):
         """Choose an option, or set an input, as its own events would."""
         where = json.dumps(selector)
         self.value(
-            f"(() => {{ const z = document.querySelector({where}); z.value = {json.dumps(value)}; "
-            "z.dispatchEvent(new Event('input', {bubbles: true})); z.dispatchEvent(new Event('change')); })()"
+            f"(() => {{ const field = document.querySelector({where}); field.value = {json.dumps(value)}; "
+            "field.dispatchEvent(new Event('input', {bubbles: true})); field.dispatchEvent(new Event('change')); })()"
         )
         self.frame()
 

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from typing import Any
 
-from flexel.model import Model
+from flexel.parts.model import Model
 
 
 def chain(n: int, *, pinned: bool = False, gravity: Sequence[float] = (0, 0, 0), **beam: Any) -> Model:

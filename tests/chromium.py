@@ -53,7 +53,7 @@ class Chromium(Browser):
             assert self._process.stdin is not None and self._process.stdout is not None
             self._write, self._read = self._process.stdin.fileno(), self._process.stdout.fileno()
             targets = self.call("Target.getTargets")["targetInfos"]
-            target = next(z["targetId"] for z in targets if z["type"] == "page")
+            target = next(entry["targetId"] for entry in targets if entry["type"] == "page")
             self._session = self.call("Target.attachToTarget", targetId=target, flatten=True)["sessionId"]
             for domain in ("Page", "Runtime", "Log", "Network", "Accessibility"):
                 self.call(f"{domain}.enable")
@@ -126,7 +126,7 @@ class Chromium(Browser):
         end = places[-1] if places else start
         for kind, (x, y) in (
             ("mousePressed", start),
-            *(("mouseMoved", z) for z in places),
+            *(("mouseMoved", place) for place in places),
             ("mouseReleased", end),
         ):
             self.call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left", buttons=1, clickCount=1)
@@ -148,13 +148,13 @@ class Chromium(Browser):
         self.call("Emulation.setTouchEmulationEnabled", enabled=phone)
 
     def screenshot(self, box: dict[str, float]) -> bytes:
-        clip = {z: box[z] for z in ("x", "y", "width", "height")} | {"scale": 1}
+        clip = {key: box[key] for key in ("x", "y", "width", "height")} | {"scale": 1}
         return base64.b64decode(self.call("Page.captureScreenshot", format="png", clip=clip)["data"])
 
     def nameless(self) -> list[str]:
         found = []
         for node in self.call("Accessibility.getFullAXTree")["nodes"]:
-            can = {z["name"]: z["value"].get("value") for z in node.get("properties", [])}
+            can = {entry["name"]: entry["value"].get("value") for entry in node.get("properties", [])}
             if can.get("focusable") and not node["ignored"] and not node["name"]["value"].strip():
                 found.append(json.dumps(node["role"]))
         return found

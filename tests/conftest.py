@@ -19,8 +19,8 @@ os.environ.setdefault(SEED, str(secrets.randbelow(10**6)))
 
 LONGEST = (  # files of more than seven seconds: begun first, so that all workers end at the same time
     "test_docs_built.py",
-    "pictures/test_view_browser.py",
-    "pictures/test_view_parts.py",
+    "view/test_view_browser.py",
+    "view/test_view_parts.py",
     "systems/test_rope_problems.py",
     "derive/test_verify.py",
     "campaign/test_campaign.py",
@@ -95,4 +95,4 @@ def fresh(browser: browsers.Browser) -> Iterator[browsers.Browser]:
     yield browser
     browser.value("0")
     assert browser.complaints == []
-    assert {z.partition(":")[0] for z in browser.requests} <= {"file", "blob", "about", "data"}
+    assert {address.partition(":")[0] for address in browser.requests} <= {"file", "blob", "about", "data"}

@@ -60,7 +60,7 @@ def held_response(
     count = int(round(end / period)) + 1
     instants = {round(i * period, 12): True for i in range(count)}
     changes = {round(i * period + delay, 12): False for i in range(count)}
-    moments = [z for z in sorted(changes | instants) if z <= end + 1e-12]
+    moments = [moment for moment in sorted(changes | instants) if moment <= end + 1e-12]
     x, u = np.array(start, dtype=float), 0.0
     coming: list[tuple[float, float]] = []
     times, states, forces = [0.0], [x], [u]

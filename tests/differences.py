@@ -8,10 +8,10 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from flexel.mechanics.states import state_of
-from flexel.model import Model
-from flexel.structure.moment import Moment
-from flexel.structure.state import State
-from flexel.system import System
+from flexel.model.snapshot import Snapshot
+from flexel.model.state import State
+from flexel.parts.model import Model
+from flexel.results.system_facade import System
 
 STEP = 4e-3
 
@@ -27,16 +27,16 @@ class Knob:
 
 
 def slope(f: Callable[[float], np.ndarray], h: float = STEP) -> np.ndarray:
-    """df/dz at z = 0 with an error of order h^6."""
+    """df/dx at x = 0 with an error of order h^6."""
     D = [(f(h / 2**i) - f(-h / 2**i)) / (2 * h / 2**i) for i in range(3)]
     E = [(4 * D[1] - D[0]) / 3, (4 * D[2] - D[1]) / 3]
     return (16 * E[1] - E[0]) / 15
 
 
-def jacobian(f: Callable[[np.ndarray], np.ndarray], z0: np.ndarray, h: float = STEP) -> np.ndarray:
-    """df/dz at z0, column by column."""
-    columns = [slope(lambda d, u=u: f(z0 + d * u), h) for u in np.eye(z0.size)]
-    return np.array(columns).T.reshape(-1, z0.size)
+def jacobian(f: Callable[[np.ndarray], np.ndarray], x0: np.ndarray, h: float = STEP) -> np.ndarray:
+    """df/dx at x0, column by column."""
+    columns = [slope(lambda d, u=u: f(x0 + d * u), h) for u in np.eye(x0.size)]
+    return np.array(columns).T.reshape(-1, x0.size)
 
 
 def numerical_matrices(
@@ -44,11 +44,11 @@ def numerical_matrices(
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """M, C, K from the residual of the nonlinear equations."""
     nd = system.roles.nd
-    qdd = np.array([state.acceleration(z) for z in system.dynamic])
+    qdd = np.array([state.acceleration(name) for name in system.dynamic])
     t, q, qd = state.t, state.q, state.qd
-    M = jacobian(lambda z: system.residual(t, q, qd, z, state), qdd, h)
-    C = jacobian(lambda z: system.residual(t, q, z, qdd, state), qd, h)
-    K = jacobian(lambda z: system.residual(t, z, qd, qdd, state), q, h)
+    M = jacobian(lambda accelerations: system.residual(t, q, qd, accelerations, state), qdd, h)
+    C = jacobian(lambda velocities: system.residual(t, q, velocities, qdd, state), qd, h)
+    K = jacobian(lambda positions: system.residual(t, positions, qd, qdd, state), q, h)
     assert M.shape == (nd, nd)
     return M, C, K
 
@@ -57,9 +57,9 @@ def numerical_state_matrix(system: System, state: State) -> np.ndarray:
     """State matrix for (q_d', q_d, q_k) from the right-hand side."""
     nq, nd = system.roles.nq, system.roles.nd
 
-    def rates(z: np.ndarray) -> np.ndarray:
+    def rates(values: np.ndarray) -> np.ndarray:
         system.warm(state)
-        r = system.rhs(state.t, np.concatenate([z[nd:], z[:nd]]))
+        r = system.rhs(state.t, np.concatenate([values[nd:], values[:nd]]))
         return np.concatenate([r[nq:], r[:nq]])
 
     return jacobian(rates, np.concatenate([state.qd, state.q]))
@@ -86,11 +86,13 @@ def numerical_outputs(
             knob.now = [start[nu + i][0] + d[ns + i], 0.0, 0.0]
         y = np.concatenate([state.q + d[nd : nd + nq], state.qd + d[:nd]])
         q, qd, z = np.split(y, [nq, nq + nd])
-        now = state_of(system.kinematics, state.t, q, qd, z, Moment.of(state))
-        rates = [now.acceleration(z) for z in system.dynamic] + [now.rate(z) for z in system.dynamic]
-        rates += [now.rate(z) for z in system.kinematic] + [d[ns + len(loads) + i] for i in range(nu)]
+        now = state_of(system.kinematics, state.t, q, qd, z, Snapshot.of(state))
+        rates = [now.acceleration(name) for name in system.dynamic] + [
+            now.rate(name) for name in system.dynamic
+        ]
+        rates += [now.rate(name) for name in system.kinematic] + [d[ns + len(loads) + i] for i in range(nu)]
         rates += [d[nd + nq + i] for i in range(nu)]
-        return np.array(rates + [read(now, z) for z in outputs])
+        return np.array(rates + [read(now, name) for name in outputs])
 
     J = jacobian(evaluate, np.zeros(ns + len(loads) + nu), h)
     for knob, now in zip((*motions, *loads), start, strict=True):

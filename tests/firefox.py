@@ -106,7 +106,7 @@ class Firefox(Browser):
             self.requests.append(p["request"]["url"])
 
     def _act(self, *sources: dict[str, Any]) -> None:
-        actions = [{"id": f"{z['type']} {i}", **z} for i, z in enumerate(sources)]
+        actions = [{"id": f"{source['type']} {i}", **source} for i, source in enumerate(sources)]
         self.call("input.performActions", context=self._page, actions=actions)
 
     # -- what a person does ----------------------------------------------------------------------
@@ -147,7 +147,7 @@ class Firefox(Browser):
         self.call("browsingContext.setViewport", context=self._page, viewport=size, devicePixelRatio=1)
 
     def screenshot(self, box: dict[str, float]) -> bytes:
-        clip = {z: box[z] for z in ("x", "y", "width", "height")} | {"type": "box"}
+        clip = {key: box[key] for key in ("x", "y", "width", "height")} | {"type": "box"}
         found = self.call(
             "browsingContext.captureScreenshot", context=self._page, origin="viewport", clip=clip
         )
@@ -159,7 +159,8 @@ class Firefox(Browser):
         for node in self.call("browsingContext.locateNodes", context=self._page, locator=locator)["nodes"]:
             asked = self.call(
                 "script.callFunction",
-                functionDeclaration=f"(z) => z.matches('{FOCUSABLE}') && z.checkVisibility() && z.outerHTML",
+                functionDeclaration=f"(element) => element.matches('{FOCUSABLE}') && "
+                "element.checkVisibility() && element.outerHTML",
                 arguments=[{"sharedId": node["sharedId"]}],
                 target={"context": self._page},
                 awaitPromise=False,
@@ -189,9 +190,13 @@ def started(folder: Path, screen: int, log: int) -> subprocess.Popen[bytes]:
     profile, home = folder / "profile", folder / "home"
     profile.mkdir()
     home.mkdir()
-    lines = [f"user_pref({json.dumps(z)}, {json.dumps(value)});" for z, value in PREFERENCES.items()]
+    lines = [f"user_pref({json.dumps(name)}, {json.dumps(value)});" for name, value in PREFERENCES.items()]
     (profile / "user.js").write_text("\n".join(lines))
-    kept = {z: v for z, v in os.environ.items() if not z.startswith(("XDG_", "MOZ_", "WAYLAND_", "DBUS_"))}
+    kept = {
+        name: v
+        for name, v in os.environ.items()
+        if not name.startswith(("XDG_", "MOZ_", "WAYLAND_", "DBUS_"))
+    }
     own = {"DISPLAY": f":{screen}", "HOME": str(home), "LIBGL_ALWAYS_SOFTWARE": "1"}
     own |= {"MOZ_CRASHREPORTER_DISABLE": "1", "NO_AT_BRIDGE": "1", "GDK_BACKEND": "x11"}
     command = [program, "--no-remote", "--remote-debugging-port=0", "--profile", str(profile), "about:blank"]

@@ -7,7 +7,7 @@ import numpy as np
 
 import flexel as fx
 from flexel.base.arrays import Array
-from flexel.declare.materials import MATERIALS, Profile
+from flexel.parts.materials import MATERIALS, Profile
 
 Tables = tuple[Any, Any, dict[int, dict[str, Any]], list[dict[str, Any]]]
 
@@ -97,7 +97,7 @@ def by_hand(force: float, release: Sequence[str], flexible: Sequence[str]) -> fx
     m.point("S", (h / 2, LENGTH / 2, 0))
     m.frame("RS")
     for start, end in ("AB", "CD"):
-        p, q = (np.array(corners[z], dtype=float) for z in (start, end))
+        p, q = (np.array(corners[corner], dtype=float) for corner in (start, end))
         nodes = [(start, f"R{start}")]
         for i in range(1, n):
             m.point(f"{start}{i}", p + (q - p) * i / n)

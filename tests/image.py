@@ -60,15 +60,17 @@ class Image:
     """
 
     def __init__(self, tables: Tables, structs: Sequence[Struct]) -> None:
-        shared = [z for pair in tables._shared.values() for z in pair[1:]] + [tables.samples]
+        shared = [array for pair in tables._shared.values() for array in pair[1:]] + [tables.samples]
         regions = dict(_memory(shared))
         for struct in structs:
             own = struct.struct
             regions |= dict(_memory(struct._keep))
             regions[_address(own)] = ffi.sizeof(ffi.typeof(own).item)
         self.starts = sorted(regions)
-        self.sizes = [regions[z] for z in self.starts]
-        self.content = [bytearray(ffi.buffer(ffi.cast("char *", z), regions[z])) for z in self.starts]
+        self.sizes = [regions[start] for start in self.starts]
+        self.content = [
+            bytearray(ffi.buffer(ffi.cast("char *", start), regions[start])) for start in self.starts
+        ]
         self.pointers: dict[tuple[int, int], tuple[int, int]] = {}
         self.functions: dict[tuple[int, int], tuple[str, int]] = {}
         self._kernels = _kernels()
@@ -88,12 +90,12 @@ class Image:
         counts = [len(self.starts), len(self.pointers), len(self.functions), len(roots)]
         with file.open("wb") as out:
             out.write(np.array([*counts, *numbers, *self.sizes], dtype=np.uint64).tobytes())
-            places = [(*z, *to) for z, to in self.pointers.items()]
+            places = [(*place, *to) for place, to in self.pointers.items()]
             out.write(np.array(places, dtype=np.uint64).tobytes())
             for (number, offset), (name, field) in self.functions.items():
                 out.write(np.array([number, offset, field], dtype=np.uint64).tobytes())
                 out.write(name.encode().ljust(SYMBOL, b"\0"))
-            own = [[self.place(_address(z.struct))[0] for z in root] for root in roots]
+            own = [[self.place(_address(struct.struct))[0] for struct in root] for root in roots]
             out.write(np.array(own, dtype=np.uint64).tobytes())
             out.writelines(self.content)
 

@@ -91,7 +91,7 @@ def inside(valid: Any, kind: str) -> Any:
 
 def admitted(annotation: str, kind: str) -> bool:
     """Whether a call may take the junk without a word: an annotation that says nothing definite admits all."""
-    parts = {z.strip() for z in annotation.split("|")}
+    parts = {part.strip() for part in annotation.split("|")}
     if kind == "None" and "None" in parts:
         return True
     parts -= {"None"}
@@ -106,4 +106,4 @@ def admitted(annotation: str, kind: str) -> bool:
     }
     if not parts <= known.keys():
         return True
-    return any(kind in known[z] for z in parts)
+    return any(kind in known[part] for part in parts)

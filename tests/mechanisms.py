@@ -45,7 +45,7 @@ def rssr(universal: bool) -> fx.Model:
     m = fx.Model(gravity=(0, 0, -9.81))
     A0, D0 = m.point("A", (0, 0, 0), fixed=True), m.point("D", (1.5, 0.3, 0.2), fixed=True)
     b, c = m.point("B", (0.4, 0, 0)), m.point("C", (1.4, 0.9, 0.9))
-    ground, crank, rocker = (m.frame(z, fixed=z == "ground") for z in ("ground", "crank", "rocker"))
+    ground, crank, rocker = (m.frame(name, fixed=name == "ground") for name in ("ground", "crank", "rocker"))
     m.hinge("input", ground, crank, axis=(0, 0, 1))
     m.hinge("output", ground, rocker, axis=(1, 0.2, -0.1))
     m.beam("crank bar", A0, crank, b, mass_per_length=1.0)
@@ -67,7 +67,9 @@ def rssr(universal: bool) -> fx.Model:
 def disc(theta: float = np.pi / 2, rates: tuple[float, float, float] = (0.0, 0.0, 0.0)) -> fx.Model:
     """Disc with heading ψ (yaw), inclination θ of its axis (lean + π/2) and spin φ; rates (ψ', θ', ω₃)."""
     m = fx.Model(gravity=(0, 0, -DISC["g"]))
-    ground, yawed, leaned, rolled = (m.frame(z, fixed=z == "ground") for z in ("ground", "Y", "L", "S"))
+    ground, yawed, leaned, rolled = (
+        m.frame(name, fixed=name == "ground") for name in ("ground", "Y", "L", "S")
+    )
     hub, contact = m.point("hub", (0, 0, DISC["r"])), m.point("contact", (0, 0, 0))
     axle = (0, -1, 0)
     m.hinge("yaw", ground, yawed, axis=(0, 0, 1))

@@ -11,9 +11,9 @@ from typing import Any
 import pytest
 
 from flexel.base.errors import FlexelError, LinearizationError, ModelError
-from flexel.mechanics.linearization import Linearization
-from flexel.model import Model
-from flexel.system import System
+from flexel.parts.model import Model
+from flexel.results.linearization import Linearization
+from flexel.results.system_facade import System
 
 
 def drawing() -> Model:

@@ -8,9 +8,9 @@ from differences import (
 )
 from mechanisms import disc, rssr
 
-from flexel.model import Model
-from flexel.rope.contacts import Contact
-from flexel.rope.surfaces import VGroove
+from flexel.parts.model import Model
+from flexel.parts.rope_contacts import Contact
+from flexel.parts.rope_surfaces import VGroove
 
 
 def double_pendulum() -> Model:
@@ -40,7 +40,7 @@ def flexible_arm() -> Model:
     )
     m.body("tip", A, R2, mass=0.5, inertia=(0.03, 0.02, 0.04), offset=(0.1, 0.0, 0.05))
     modes = ("elongation", "torsion", "bend1", "bend2", "bend3", "bend4")
-    m.independent("pivot.angle", *(f"arm.{z}" for z in modes))
+    m.independent("pivot.angle", *(f"arm.{mode}" for mode in modes))
     m.initial("pivot.angle", 0.4, rate=2.5)
     for i, mode in enumerate(modes):
         m.initial(f"arm.{mode}", 0.02 * (-1) ** i, rate=0.1 * (i - 2))
@@ -75,9 +75,9 @@ def driven_loop() -> Model:
     spring.
     """
     m = rssr(universal=False)
-    m._dynamic = None
-    m._rates.clear()
-    m._values.clear()
+    m.lowering.dynamic = None
+    m.lowering.rates.clear()
+    m.lowering.values.clear()
     m.release("coupler bar.elongation")
     m.spring("coupler bar.elongation", 300.0, 2.0)
     m.prescribe("input.angle", CRANK)
@@ -115,7 +115,7 @@ PUSH = Knob(-0.7)
 def sliding() -> Model:
     """The disc with viscous resistance along and across instead of pure rolling, and a twisting moment."""
     m = disc(1.3, (1.0, 0.2, 4.0))
-    m._dynamic, m._kinematic = None, None
+    m.lowering.dynamic, m.lowering.kinematic = None, None
     m.spring("wheel.longitudinal", damping=2.5)
     m.spring("wheel.lateral", damping=1.5)
     m.spring("wheel.spin", damping=0.4)
@@ -177,8 +177,8 @@ def planar() -> Model:
     m.truss("tie", A, B, mass_per_length=0.5)
     m.body("tip", B, "r2", mass=0.4, inertia=0.05, offset=(0.1, -0.1))
     m.independent("base.angle", "link.elongation", "link.bend1", "link.bend2", "B.x")
-    for i, z in enumerate(m._dynamic or []):
-        m.initial(z, rate=0.4 * (-1) ** i)
+    for i, name in enumerate(m.lowering.dynamic or []):
+        m.initial(name, rate=0.4 * (-1) ** i)
     return m
 
 

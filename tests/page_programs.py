@@ -2,32 +2,12 @@
 
 from __future__ import annotations
 
-import sys
 from functools import cache
-from importlib.util import module_from_spec, spec_from_file_location
-from pathlib import Path
-from types import ModuleType
-from typing import Any
 
-DOCS = Path(__file__).resolve().parents[1] / "docs"
+import page_output
+from filling import DOCS, pages
 
-
-@cache
-def programs() -> ModuleType:
-    """``docs/programs.py``."""
-    sys.path.insert(0, str(DOCS))
-    try:
-        spec = spec_from_file_location("docs_programs", DOCS / "programs.py")
-        assert spec is not None and spec.loader is not None
-        module = module_from_spec(spec)
-        sys.modules["docs_programs"] = module
-        spec.loader.exec_module(module)
-    finally:
-        sys.path.remove(str(DOCS))
-    return module
-
-
-PAGES = [page.name for page in programs().pages()]
+PAGES = [page.name for page in pages()]
 WITHOUT = {  # pages without a program, and why
     "architecture.md": "about the code itself",
     "index.md": "the contents",
@@ -39,6 +19,6 @@ WITHOUT = {  # pages without a program, and why
 
 
 @cache
-def ran(page: str) -> Any:
+def ran(page: str) -> page_output.Ran:
     """What the program of a page leaves: ``names``, ``printed`` and ``drawn``."""
-    return programs().run(DOCS.parent / page if page == "README.md" else DOCS / page)
+    return page_output.run(DOCS.parent / page if page == "README.md" else DOCS / page)

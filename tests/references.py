@@ -115,12 +115,15 @@ class Rods:
     def names(self) -> tuple[str, ...]:
         """Names of what `values` gives: ends of the rods, then their turns."""
         n = range(self.lengths.size)
-        return (*(f"P{i}.{z}" for z in "xy" for i in n), *(f"R{i}.angle" for i in n))
+        return (*(f"P{i}.{axis}" for axis in "xy" for i in n), *(f"R{i}.angle" for i in n))
 
     def values(self, y: Array) -> Array:
         """Coordinates of the ends and turns since the start (3 n, nt), of y (2 n, nt)."""
         angles = y[: self.lengths.size]
-        ends = [np.cumsum(self.lengths[:, None] * z, axis=0) for z in (np.cos(angles), np.sin(angles))]
+        ends = [
+            np.cumsum(self.lengths[:, None] * directions, axis=0)
+            for directions in (np.cos(angles), np.sin(angles))
+        ]
         return np.concatenate([*ends, angles - self.drawn[:, None]])
 
 
@@ -139,7 +142,7 @@ class Constrained:
         self.system, s, roles = system, system.structure, system.roles
         self.names = (*s.names[s.m + s.k :][: s.nf], *angles)
         self._nf, self._n = s.nf, s.n
-        self._angles = [s.index[z] for z in angles]
+        self._angles = [s.index[angle] for angle in angles]
         self._rigid, self._still = roles.rigid, np.concatenate([roles.rigid, roles.zero])
 
     def rates(self, t: float, y: Array) -> Array:
@@ -194,7 +197,7 @@ class Balls:
         self.links, self.masses, self.inertia, self.omega = links, masses, inertia, omega
         n = range(len(links))
         self.names = (
-            *(f"P{i}.{z}" for i in n for z in "xyz"),
+            *(f"P{i}.{axis}" for i in n for axis in "xyz"),
             *(f"F{i}.lambda{k}" for i in n for k in range(4)),
         )
 
@@ -230,7 +233,7 @@ class Balls:
         y = follow(self.rates, self.project, y0, 1.0)
 
         def values(t: Array) -> Array:
-            return np.column_stack([self._placed(z[: 4 * n].reshape(n, 4)) for z in y(t).T])
+            return np.column_stack([self._placed(column[: 4 * n].reshape(n, 4)) for column in y(t).T])
 
         return values
 

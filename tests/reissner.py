@@ -28,7 +28,9 @@ def _shot(rates: Callable[[Array, Array], Array], start: Array, loads: Array, si
             )
             return np.asarray(found.y[:, -1])
 
-        solution = root(lambda z, load=share * loads: end(z)[-size:] - load[-size:], moment, tol=1e-12)
+        solution = root(
+            lambda trial, load=share * loads: end(trial)[-size:] - load[-size:], moment, tol=1e-12
+        )
         assert np.max(np.abs(solution.fun)) < 1e-9
         moment = solution.x
     return end(moment)

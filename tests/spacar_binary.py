@@ -24,11 +24,13 @@ def header(tag: str, kind: int, item: int, rows: int, columns: int) -> bytes:
 
 def write(path: Path, constant: Mapping[str, Any], records: Mapping[str, Any]) -> Path:
     """A file with entries, and with records (nt, rows, columns)."""
-    arrays = {tag: np.asarray(z, dtype=float) for tag, z in records.items()}
+    arrays = {tag: np.asarray(values, dtype=float) for tag, values in records.items()}
     count = len(next(iter(arrays.values())))
     parts = [entry(tag, value) for tag, value in constant.items()] + [header("TDEF", 0, 0, count, 1)]
-    parts += [header(tag, 2, 8, *z.shape[1:]) for tag, z in arrays.items()] + [header("TDAT", 0, 0, 0, 0)]
-    parts += [z[i].astype("<f8").tobytes() for i in range(count) for z in arrays.values()]
+    parts += [header(tag, 2, 8, *array.shape[1:]) for tag, array in arrays.items()] + [
+        header("TDAT", 0, 0, 0, 0)
+    ]
+    parts += [array[i].astype("<f8").tobytes() for i in range(count) for array in arrays.values()]
     path.write_bytes(b"".join(parts))
     return path
 

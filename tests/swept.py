@@ -43,15 +43,15 @@ def plain(a: float, b: float = 1.0) -> dict[str, float]:
     return {"a": a, "b": b}
 
 
-def numbers(z: dict[str, float]) -> dict[str, Any]:
+def numbers(point: dict[str, float]) -> dict[str, Any]:
     """A number and an array, without any work."""
-    return {"sum": z["a"] + z["b"], "powers": np.array([z["a"] ** i for i in range(3)])}
+    return {"sum": point["a"] + point["b"], "powers": np.array([point["a"] ** i for i in range(3)])}
 
 
-def slow(z: dict[str, float]) -> dict[str, Any]:
+def slow(point: dict[str, float]) -> dict[str, Any]:
     """The same, after some milliseconds."""
     time.sleep(0.02)
-    return numbers(z)
+    return numbers(point)
 
 
 def deadly(a: float, b: float = 1.0) -> dict[str, float]:

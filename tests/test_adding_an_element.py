@@ -37,16 +37,19 @@ def test_the_page_leads_to_an_element_that_is_derived_verified_and_used(
 ) -> None:
     tree = tmp_path / "flexel"
     shutil.copytree(checkout, tree, ignore=LEFT_OUT)
-    page, lines, method, model = blocks(checkout / "docs" / "adding-an-element.md", "python")
+    page, lines, declared, row, model = blocks(checkout / "docs" / "adding-an-element.md", "python")
     (tree / "derive" / "elements" / "pulley.py").write_text(page)
     imported, entry = lines.strip().split("\n\n")
     table = tree / "derive" / "elements" / "__init__.py"
     text = table.read_text().replace("\nELEMENTS:", f"\n{imported}\n\nELEMENTS:", 1)
     table.write_text(text.replace("    TRUSS,\n", f"    TRUSS,\n{entry}\n", 1))
-    joints, before = tree / "runtime" / "declare" / "joints.py", "    def bearing("
-    source = joints.read_text()
-    assert source.count(before) == 1
-    joints.write_text(source.replace(before, f"{method}\n{before}"))
+    joints, methods = tree / "parts" / "joints.py", tree / "parts" / "model.py"
+    joints.write_text(f"{joints.read_text()}\n\n{declared}")
+    imported, entry = row.strip().split("\n\n")
+    text, before = methods.read_text(), "    truss = Method(Truss)\n"
+    assert text.count(before) == 1
+    text = text.replace("\n\nif TYPE_CHECKING", f"\n{imported}\n\nif TYPE_CHECKING", 1)
+    methods.write_text(text.replace(before, f"{before}{entry}\n"))
 
     run(tree, "setup.py", "--quiet", "build_py", "--build-lib", "plain")
     run(tree, "-m", "flexel.derive", "pulley", PYTHONPATH=str(tree / "plain"))
@@ -56,7 +59,7 @@ def test_the_page_leads_to_an_element_that_is_derived_verified_and_used(
         shutil.copy(file, tree / "generated")
     library = tree / "library"
     run(tree, "setup.py", "--quiet", "build", "--build-lib", str(library), CFLAGS="-O0")
-    verified = run(tree, "-m", "flexel.derive.verify", "pulley", PYTHONPATH=str(library))
+    verified = run(tree, "-m", "flexel.derive.verify_command", "pulley", PYTHONPATH=str(library))
     assert "pulley" in verified
     (tree / "use.py").write_text(model)
     printed = run(tree, "use.py", PYTHONPATH=str(library))

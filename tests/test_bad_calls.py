@@ -29,7 +29,7 @@ def test_every_public_call_has_a_valid_one() -> None:
     public = dict(public_calls())
     assert sorted(public.keys() - VALID.keys()) == []
     assert sorted(VALID.keys() - public.keys()) == []
-    assert {z.split(".")[0] for z in VALID} >= {"Model", "System", "Motion", "State", "sweep"}
+    assert {name.split(".")[0] for name in VALID} >= {"Model", "System", "Motion", "State", "sweep"}
     assert not MADE_BY_FLEXEL & VALID.keys()
 
 
@@ -39,6 +39,7 @@ def test_arguments_of_valid_calls_are_those_of_the_signature(name: str) -> None:
     assert set(valid.arguments) <= set(inspect.signature(valid.function).parameters)
 
 
+@pytest.mark.ci
 def test_a_sample_of_bad_calls_is_refused_by_name(tmp_path: Path) -> None:
     judge(random.Random(15).sample(cases(), SAMPLE), tmp_path)
 

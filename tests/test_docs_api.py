@@ -1,10 +1,13 @@
 """Docstrings as Sphinx is given them."""
 
+import ast
 import importlib.util
 from pathlib import Path
 from types import ModuleType
 
 import pytest
+
+import flexel
 
 
 @pytest.fixture(scope="module")
@@ -47,3 +50,13 @@ def test_a_colon_in_a_property_does_not_make_a_type(docstrings: ModuleType) -> N
     lines = ["Torsion constant: the polar moment.", ""]
     docstrings.process(None, "property", "J", None, None, lines)
     assert lines == ["Torsion constant – the polar moment.", ""]
+
+
+def test_every_public_name_has_a_topic(checkout: Path) -> None:
+    """A module that the page of public names does not list stops the build of the documentation."""
+    tree = ast.parse((checkout / "docs" / "pages.py").read_text(encoding="utf-8"))
+    [topics] = [
+        n.value for n in tree.body if isinstance(n, ast.Assign) and ast.unparse(n.targets[0]) == "HOMES"
+    ]
+    listed = {module for modules in ast.literal_eval(topics).values() for module in modules}
+    assert set(flexel._HOMES.values()) - listed == set()

@@ -21,11 +21,15 @@ def functions() -> Iterator[tuple[str, Callable[..., Any]]]:
         if inspect.isfunction(value):
             yield f"{value.__module__}.{value.__name__}", value
         for base in inspect.getmro(value) if inspect.isclass(value) else ():
-            members = (getattr(z, "__func__", z) for key, z in vars(base).items() if not key.startswith("_"))
+            members = (
+                getattr(member, "__func__", member)
+                for key, member in vars(base).items()
+                if not key.startswith("_")
+            )
             yield from (
-                (f"{z.__module__}.{z.__qualname__}", z)
-                for z in members
-                if inspect.isfunction(z) and z.__module__.startswith("flexel.")
+                (f"{member.__module__}.{member.__qualname__}", member)
+                for member in members
+                if inspect.isfunction(member) and member.__module__.startswith("flexel.")
             )
 
 

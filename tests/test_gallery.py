@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from flexel.apps.view.figures import COLOURS
 from flexel.examples import gallery
-from flexel.pictures.figures import COLOURS
 
 FOLDER = Path(inspect.getfile(gallery)).parent
 NAMES = sorted(file.stem for file in FOLDER.glob("[a-z]*.py"))
@@ -48,7 +48,7 @@ def test_a_program_finds_what_is_known(name: str, monkeypatch: pytest.MonkeyPatc
 def check_figure(figure: Any) -> None:
     """Something is drawn; the figure has a title, and plain axes have quantities with units."""
     assert figure.axes[0].has_data()
-    assert figure.get_suptitle() or any(z.get_title() for z in figure.axes)
+    assert figure.get_suptitle() or any(axes.get_title() for axes in figure.axes)
     for axes in figure.axes:
         if axes.name == "rectilinear":
             bar = axes.get_label() == "<colorbar>"

@@ -14,21 +14,30 @@ import pytest
 import flexel
 
 ROOT = Path(__file__).resolve().parent.parent
-PARTS = ("derive", "generated", "runtime", "examples", "benchmarks")
+PARTS = ("derive", "generated", "runtime", "parts", "results", "apps", "examples", "benchmarks")
 
 # The package of derive that may import the generated kernels.
 SEES_GENERATED = ("derive/verify",)
 # The one module of derive that everything may import: plain Python.
 SPEC = "flexel.derive.spec."
-PLAIN = (SPEC, "flexel.derive.errors.", "flexel.derive.sealed.")  # modules of `derive` without SymPy
+# Modules of `derive` without SymPy.
+PLAIN = (
+    SPEC,
+    "flexel.derive.definition_errors.",
+    "flexel.derive.processor.",
+    "flexel.derive.checksum_trailer.",
+    "flexel.derive.compiled.",
+    "flexel.derive.users_file.",
+)
 # The modules of the runtime that may call derive, inside functions only: commands, user-defined elements.
 CALLS_DERIVE = (
-    "runtime/commands/derive.py",
-    "runtime/commands/verify.py",
-    "runtime/commands/facts.py",
-    "runtime/declare/controller_laws.py",
-    "runtime/declare/formulas.py",
-    "runtime/declare/user.py",
+    "apps/cli/derive.py",
+    "apps/cli/show.py",
+    "apps/cli/verify.py",
+    "apps/cli/facts.py",
+    "parts/controller_laws.py",
+    "parts/formulas.py",
+    "parts/elements.py",
 )
 # What makes an import slow, or is an extra that may be absent: inside functions only.
 PEERS = {"bicycleparameters", "exudyn", "mujoco", "pinocchio", "symbrim"}  # of `flexel bench`
@@ -36,6 +45,8 @@ LAZY = {"sympy", "jinja2", "matplotlib", "xarray", "h5netcdf", "pandas", "contro
 LAZY |= {"joblib", "cloudpickle", "dask", "distributed"} | PEERS
 # Programs as users write them: nothing imports them.
 PROGRAMS = "examples/gallery/"
+# Pages as users write them: their SymPy is at the top, and what compiles them imports them inside functions.
+PAGES = ("examples/hoist_paper_element.py",)
 # The peer that derives by SymPy, and prints what it derived as C.
 DERIVES = ("benchmarks/peers/symbrim.py", "benchmarks/peers/printed.py")
 
@@ -93,59 +104,92 @@ def _walk(file: str, node: ast.AST, lazy: bool) -> Iterator[Import]:
 
 
 def test_no_import_is_relative() -> None:
-    assert [str(z) for z in imports(*PARTS) if z.module.startswith(".")] == []
+    assert [str(statement) for statement in imports(*PARTS) if statement.module.startswith(".")] == []
 
 
 def test_derive_imports_no_other_part_and_starts_without_compiled_kernels() -> None:
     """Deriving needs neither the runtime nor (except in one package) what was generated."""
     found = imports("derive")
     other = [
-        str(z)
-        for z in found
-        if z.part not in (None, "derive")
-        and not (z.part == "generated" and z.file.startswith(SEES_GENERATED))
+        str(statement)
+        for statement in found
+        if statement.part not in (None, "derive")
+        and not (statement.part == "generated" and statement.file.startswith(SEES_GENERATED))
     ]
     assert other == []
-    assert [str(z) for z in found if "_kernels" in z.module and not z.lazy] == []
+    assert [
+        str(statement) for statement in found if "_kernels" in statement.module and not statement.lazy
+    ] == []
 
 
 def test_generated_imports_only_itself() -> None:
     """The builder imports nothing of flexel; the table imports its specification."""
     found = imports("generated")
     assert [
-        str(z) for z in found if z.part not in (None, "generated") and not z.module.startswith(SPEC)
+        str(statement)
+        for statement in found
+        if statement.part not in (None, "generated") and not statement.module.startswith(SPEC)
     ] == []
-    assert [str(z) for z in found if z.file.endswith("/build.py") and z.part is not None] == []
+    assert [
+        str(statement)
+        for statement in found
+        if statement.file.endswith("/build.py") and statement.part is not None
+    ] == []
 
 
 def test_runtime_and_examples_derive_only_when_called_and_only_in_named_modules() -> None:
     """A model runs without SymPy; commands and user-defined elements import it when they need it."""
     symbolic = [
-        z
-        for z in imports("runtime", "examples", "benchmarks")
-        if not z.file.startswith(PROGRAMS)
+        statement
+        for statement in imports("runtime", "parts", "results", "apps", "examples", "benchmarks")
+        if not statement.file.startswith((PROGRAMS, *PAGES))
         and (
-            (z.part == "derive" and not z.module.startswith(PLAIN))
-            or z.module.startswith(("sympy", "jinja2"))
+            (statement.part == "derive" and not statement.module.startswith(PLAIN))
+            or statement.module.startswith(("sympy", "jinja2"))
         )
     ]
-    assert [str(z) for z in symbolic if not (z.lazy and z.file in (*CALLS_DERIVE, *DERIVES))] == []
+    assert [
+        str(statement)
+        for statement in symbolic
+        if not (statement.lazy and statement.file in (*CALLS_DERIVE, *DERIVES))
+    ] == []
 
 
 def test_slow_and_optional_packages_are_imported_when_used() -> None:
-    found = imports("runtime", "examples", "benchmarks")
-    eager = [z for z in found if not z.lazy and z.head in LAZY]
-    assert [str(z) for z in eager if not z.file.startswith(PROGRAMS)] == []
+    found = imports("runtime", "parts", "results", "apps", "examples", "benchmarks")
+    eager = [statement for statement in found if not statement.lazy and statement.head in LAZY]
+    assert [str(statement) for statement in eager if not statement.file.startswith((PROGRAMS, *PAGES))] == []
+
+
+def test_pages_of_users_are_imported_when_they_are_compiled() -> None:
+    names = tuple(f"flexel.{page.removesuffix('.py').replace('/', '.')}" for page in PAGES)
+    found = [statement for statement in imports(*PARTS) if statement.module.startswith(names)]
+    assert found
+    assert [str(statement) for statement in found if not statement.lazy] == []
 
 
 def test_nothing_imports_the_programs_of_the_gallery() -> None:
-    assert [str(z) for z in imports(*PARTS) if z.module.startswith("flexel.examples.gallery.")] == []
+    assert [
+        str(statement)
+        for statement in imports(*PARTS)
+        if statement.module.startswith("flexel.examples.gallery.")
+    ] == []
 
 
 def test_the_runtime_imports_neither_examples_nor_benchmarks() -> None:
     """They use flexel, and benchmarks use examples, not the other way round (commands find them by name)."""
-    assert [str(z) for z in imports("runtime") if z.part in ("examples", "benchmarks")] == []
-    assert [str(z) for z in imports("examples") if z.part == "benchmarks"] == []
+    assert [
+        str(statement)
+        for statement in imports("runtime", "parts", "results", "apps")
+        if statement.part in ("examples", "benchmarks")
+    ] == []
+    assert [str(statement) for statement in imports("examples") if statement.part == "benchmarks"] == []
+
+
+def test_nothing_that_is_installed_imports_what_only_developers_run() -> None:
+    names = {path.stem for path in (ROOT / "tools").iterdir() if path.suffix == ".py" or path.is_dir()}
+    assert {"report", "write_report", "filling"} <= names
+    assert [str(found) for found in imports(*PARTS) if found.head in names] == []
 
 
 def test_the_specification_brings_no_sympy() -> None:
@@ -166,7 +210,7 @@ def test_import_flexel_is_light() -> None:
 
 def test_the_table_of_commands_brings_no_numpy() -> None:
     """`flexel --help` is quick, and `flexel bench` limits the threads of NumPy before it is imported."""
-    code = "import sys, flexel.commands.main; assert not {'numpy', 'scipy', 'sympy', 'matplotlib'} & set(sys.modules)"
+    code = "import sys, flexel.apps.cli.main; assert not {'numpy', 'scipy', 'sympy', 'matplotlib'} & set(sys.modules)"
     subprocess.run([sys.executable, "-c", code], check=True)
 
 

@@ -9,13 +9,15 @@ from click.testing import CliRunner
 from mistakes import pendulum
 
 import flexel as fx
-from flexel.commands.main import main
+from flexel.apps.cli.main import main
 
 
 def told(caplog: pytest.LogCaptureFixture, topic: str, level: int = logging.INFO) -> str:
     """Everything that was recorded on a topic at a level."""
-    found = (z for z in caplog.records if z.name == f"flexel.{topic}" and z.levelno == level)
-    return "\n".join(z.getMessage() for z in found)
+    found = (
+        record for record in caplog.records if record.name == f"flexel.{topic}" and record.levelno == level
+    )
+    return "\n".join(record.getMessage() for record in found)
 
 
 @pytest.fixture(autouse=True)
@@ -66,7 +68,7 @@ def test_a_motion_tells_changes_of_its_degrees_of_freedom(caplog: pytest.LogCapt
     m = chain()
     m.independent("P1.y")
     motion = m.build().simulate(1.0)
-    told_of = [z for z in told(caplog, "simulate").splitlines() if "instead of" in z]
+    told_of = [line for line in told(caplog, "simulate").splitlines() if "instead of" in line]
     assert len(told_of) == len(motion.rechoices) > 0
     assert told_of[0].endswith("s: degrees of freedom ('P1.x',) instead of ('P1.y',)")
 
@@ -95,9 +97,11 @@ def test_compiling_tells_whether_the_cache_had_it(
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     for _ in range(2):
         chain().law("rod0.elongation", lambda e, ed: 1e4 * e + 777 * e**3)
-    first, second, third = told(caplog, "compile").splitlines()
-    assert " compiled in " in first and "agrees with its definition" in second
-    assert f" is in the cache: {tmp_path}" in third
+    *made, derivation, shared = told(caplog, "compile").splitlines()
+    for line, said in zip(made, (" derived in ", " compiled in ", "agrees with its definition"), strict=True):
+        assert said in line
+    assert "the derivation of " in derivation and f" is in the cache: {tmp_path}" in derivation
+    assert f" is in the cache: {tmp_path}" in shared
 
 
 def test_variants_and_sweeps_tell_their_numbers(caplog: pytest.LogCaptureFixture) -> None:
@@ -135,18 +139,21 @@ def test_the_command_line_shows_it_on_request(tmp_path: Path, option: list[str],
 
 
 def test_without_a_handler_nothing_is_written(capfd: pytest.CaptureFixture[str]) -> None:
-    assert any(isinstance(z, logging.NullHandler) for z in logging.getLogger("flexel").handlers)
+    assert any(isinstance(handler, logging.NullHandler) for handler in logging.getLogger("flexel").handlers)
     pendulum().build().simulate(0.1, progress=False)
     assert capfd.readouterr() == ("", "")
 
 
 def test_the_library_does_not_print() -> None:
     """Only commands print, and the derivation as a program of its own."""
-    root = Path(fx.__file__).parent
-    places = [z for z in root.rglob("*.py") if "commands" not in z.relative_to(root).parts]
-    places += [z for z in Path(fx.derive.__file__).parent.rglob("*.py") if z.name != "__main__.py"]  # type: ignore[attr-defined]
+    root = Path(fx.__file__).parent.parent
+    folders = [root / name for name in ("runtime", "parts", "results", "apps", "derive")]
+    places = [path for folder in folders for path in folder.rglob("*.py")]
+    places = [
+        path for path in places if path.name != "__main__.py" and root / "apps" / "cli" not in path.parents
+    ]
     assert len(places) > 300
     for path in places:
-        calls = (z.func for z in ast.walk(ast.parse(path.read_text())) if isinstance(z, ast.Call))
-        names = {z.id for z in calls if isinstance(z, ast.Name)}
+        calls = (node.func for node in ast.walk(ast.parse(path.read_text())) if isinstance(node, ast.Call))
+        names = {function.id for function in calls if isinstance(function, ast.Name)}
         assert "print" not in names, path

@@ -18,6 +18,9 @@ FOLDERS = {
     "runtime": "flexel",
     "derive": "flexel/derive",
     "generated": "flexel/generated",
+    "parts": "flexel/parts",
+    "results": "flexel/results",
+    "apps": "flexel/apps",
     "examples": "flexel/examples",
     "benchmarks": "flexel/benchmarks",
 }
@@ -40,7 +43,7 @@ def tree(checkout: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
         "Makefile",
     ):
         shutil.copy(checkout / name, copy)
-    for name in (*FOLDERS, "tests"):
+    for name in (*FOLDERS, "tests", "tools"):
         shutil.copytree(checkout / name, copy / name, ignore=shutil.ignore_patterns("__pycache__", "*.so"))
     shutil.copytree(checkout / ".ci", copy / ".ci")
     return copy
@@ -85,6 +88,8 @@ def test_the_sdist_holds_every_file(tree: Path, tmp_path: Path) -> None:
         "Makefile",
         ".ci/run",
         "tests/conftest.py",
+        "tools/write_report.py",
+        "tools/report/page.css",
         "LICENSE",
         "README.md",
         "CITATION.cff",

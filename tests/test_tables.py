@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 from tables import objections
 
-from flexel.commands.reproduce import CASES
-from flexel.results.report import Quantity
+from flexel.apps.cli.reproduce import CASES
+from flexel.results.reproduction import Quantity
 
 KEPT = Path(__file__).resolve().parents[1] / "docs" / "quoted"
 
@@ -26,7 +26,7 @@ def kept(case: str) -> list[dict[str, Any]]:
 def test_every_row_says_what_it_is_compared_with_and_how_closely(case: str) -> None:
     rows = kept(case)
     assert len({row["name"] for row in rows}) == len(rows)
-    assert {row["name"]: z for row in rows if (z := objections(row))} == {}
+    assert {row["name"]: objection for row in rows if (objection := objections(row))} == {}
 
 
 @pytest.mark.parametrize(

@@ -14,7 +14,7 @@ from scipy.sparse import issparse
 from valid_flexures import tables
 
 import flexel as fx
-from flexel.derive import Law, Parameter, symbol
+from flexel.derive import Deformation, Element, Law, Parameter, PlanarPoint, symbol
 from flexel.examples.vehicle import vehicle
 from flexel.examples.vehicle_runs import rounded_ramp
 
@@ -22,6 +22,11 @@ K = Parameter("k", 1, "N/m", "stiffness")
 E, ED = symbol("e"), symbol("ed")
 SIGMA, STORED = K.symbol * E + E**3 + ED, K.symbol * E**2 / 2 + E**4 / 4
 HARDENING = Law("own_hardening", "k e + e^3 + ed", (K,), (E,), (ED,), (), (SIGMA,), (), STORED)
+END, LENGTH = PlanarPoint("p"), Parameter("length", 1, "m", "length at rest")
+SQUARE = Deformation("square", "m", END.x.dot(END.x) / LENGTH.symbol - LENGTH.symbol)
+TETHER = Element(
+    "own_tether", (END,), (LENGTH,), deformations=(SQUARE,), doc="square = |p|^2/length - length"
+)
 
 
 def push(t: Any) -> Any:
@@ -187,11 +192,16 @@ OBJECTS: dict[str, Callable[[], Any]] = {
     "system with functions": lambda: pushed().build(),
     "system with a compiled law": lambda: own_law().build(),
     "system of a vehicle": lambda: vehicle(20.0, rack=rounded_ramp()),
+    "page of an element": lambda: fx.page("planar_truss"),
+    "page of a compiled element": lambda: fx.page(TETHER),
+    "values of an element": lambda: fx.page("planar_truss").evaluate([0, 0, 3, 4], {"l0": 4.5, "rhoA": 1}),
     "state": lambda: motion()[3],
     "states": lambda: motion()[2:5],
     "motion": motion,
     "motion by an implicit method": hung,
     "linearization": lambda: motion().system.linearize(motion()[-1]),
+    "equations along a motion": lambda: motion().system.along(motion()),
+    "small motion": lambda: motion().system.along(motion()).transient(times=[0.0, 0.01]),
     "sampled loop": sampled_loop,
     "modes": lambda: motion().system.linearize().modes(),
     "reduced equations": lambda: motion().system.linearize().reduced(motion().system.dynamic),
@@ -256,7 +266,7 @@ def content(value: Any, seen: dict[int, object] | None = None) -> Any:
         return content(value.toarray(), seen)
     if isinstance(value, (Mapping, list, tuple)):
         items = value.items() if isinstance(value, Mapping) else value
-        return [content(z, seen) for z in items]
+        return [content(item, seen) for item in items]
     if value is None or isinstance(value, (bool, int, float, complex, str, bytes)):
         return value
     if isinstance(value, (type, FunctionType, np.ufunc, np.dtype)):

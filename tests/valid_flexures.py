@@ -77,7 +77,7 @@ def strip() -> Valid:
 FLEXURES: dict[str, Callable[[], Valid]] = {
     "ElementProperties": lambda: Valid(
         fx.ElementProperties,
-        {z: v for z, v in LEAF.items() if z != "material"}
+        {key: v for key, v in LEAF.items() if key != "material"}
         | {"E": 2e11, "nu": 0.3, "density": 7800.0, "strength": 1e9, "warping": True}
         | {"colour": (0.1, 0.2, 0.3), "opacity": 0.5, "hidden": False},
         lambda values: fx.flexure(**tables(element_properties=[values])) and None,

@@ -1,12 +1,14 @@
 """Valid calls of the methods of `Model`; what they declare is judged by `Model.build`."""
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 from scipy.signal import StateSpace
 from valid_call import Valid, calling
 
 import flexel as fx
+from flexel.parts.nodes import Point
 
 
 def spatial() -> fx.Model:
@@ -148,6 +150,9 @@ MODELS: dict[str, Callable[[], Valid]] = {
         name="l",
         parameters={"gap": 0.1, "stiffness": 5.0, "damping": 0.1},
     ),
+    "Model.add": lambda: calling(fx.Model().add, part=Point("z", (0.0, 0.0))),
+    "Model.of": lambda: calling(fx.Model.of, gravity=(0.0, -9.81), parts=[Point("z", (0.0, 0.0))]),
+    "Model.save": lambda: calling(spatial().save, path=Path("model.json")),
     "Model.axle_slip": declared(axle, "axle_slip", name="z", left=("P", "F"), right=("P2", "F2"), axle=(0, 1, 0)),
     "Model.beam": declared(
         lambda: spare("P", "F"), "beam", name="z", p="A", frame_p="R1", q="P", frame_q="F", direction=(0, 0, 1), **BEAM
@@ -165,7 +170,7 @@ MODELS: dict[str, Callable[[], Valid]] = {
         length=1.0, **CABLE
     ),
     "Model.cable_line": declared(
-        fx.Model, "cable_line", name="z", path=[(0.0, 0.0), (1.0, 0.0)], n=2, properties=CABLE
+        fx.Model, "cable_line", name="z", path=[(0.0, 0.0), (1.0, 0.0)], n=2, **CABLE
     ),
     "Model.chain": declared(
         fx.Model, "chain", name="z", path=[(0.0, 0.0), (1.0, 0.0)], n=2, mass_per_length=1.0, EA=1e3
@@ -217,7 +222,7 @@ MODELS: dict[str, Callable[[], Valid]] = {
     "Model.rigid": declared(own_law, "rigid", names=("bar.elongation",)),
     "Model.rope": declared(
         sheaves, "rope", name="z", path=["A", "S", "B"], n=20, contact=fx.Contact(1e8, dissipation=10.0), radius=1e-3,
-        tension=5.0, properties={"EA": 1e5, "EI": 1e-5, "mass_per_length": 0.01},
+        tension=5.0, EA=1e5, EI=1e-5, mass_per_length=0.01,
     ),
     "Model.rope_contact": rope_contact,
     "Model.look": declared(

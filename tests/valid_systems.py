@@ -60,6 +60,7 @@ MASS = {"rod.rhoA": [1.0, 2.0]}
 SYSTEMS: dict[str, Callable[[], Valid]] = {
     "State.acceleration": lambda: calling(rod().initial.acceleration, name="A.x"),
     "State.force": lambda: calling(rod().initial.force, name="pivot.angle"),
+    "State.outputs": lambda: calling(leaf().initial.outputs, element="leaf"),
     "State.position": lambda: calling(rod().initial.position, node="A"),
     "State.rate": lambda: calling(rod().initial.rate, name="A.x"),
     "State.section_forces": lambda: calling(leaf().initial.section_forces, beam="leaf"),
@@ -70,7 +71,7 @@ SYSTEMS: dict[str, Callable[[], Valid]] = {
         leaf().compliance, point="A", frame="tip", state=leaf().at_rest, offset=(0.1, 0, 0)
     ),
     "System.equilibrium": lambda: calling(rod().equilibrium, start=rod().initial),
-    "System.faster": lambda: calling(rod().faster, factor=2.0),
+    "System.time_scaled": lambda: calling(rod().time_scaled, factor=2.0),
     "System.linearize": lambda: calling(rod().linearize, state=rod().initial),
     "System.linearize_many": lambda: calling(
         rod().linearize_many, state=rod().initial, parameters=MASS, threads=1, progress=False

@@ -134,8 +134,8 @@ SECTIONS = {
 def _sections() -> dict[str, Callable[[], Valid]]:
     found: dict[str, Callable[[], Valid]] = {}
     for name, section in SECTIONS.items():
-        found[f"{name}.shear_factors"] = lambda z=section: calling(z.shear_factors, nu=0.3)
-        found[f"{name}.stresses"] = lambda z=section: calling(z.stresses, f=FORCES)
+        found[f"{name}.shear_factors"] = lambda profile=section: calling(profile.shear_factors, nu=0.3)
+        found[f"{name}.stresses"] = lambda profile=section: calling(profile.stresses, f=FORCES)
     return found
 
 
@@ -165,7 +165,7 @@ VALUES: dict[str, Callable[[], Valid]] = {
     "Curve.through": lambda: Valid(
         fx.Curve.through, {"x": np.array([0.0, 1.0, 2.0]), "y": np.array([0.0, 1.0, 4.0])}, with_curve
     ),
-    "Event": lambda: Valid(fx.Event, {"name": "e", "function": lambda z: z["A.x"] - 1.0}, with_event),
+    "Event": lambda: Valid(fx.Event, {"name": "e", "function": lambda state: state["A.x"] - 1.0}, with_event),
     "Harmonic": lambda: Valid(fx.Harmonic, {"amplitude": 1.0, "omega": 2.0}, with_motion),
     "Harmonic.rates": lambda: calling(fx.Harmonic(1.0, 2.0).rates, t=0.5),
     "HelicalGroove": lambda: Valid(
@@ -212,14 +212,18 @@ VALUES: dict[str, Callable[[], Valid]] = {
     "Waves": lambda: Valid(fx.Waves, {"amplitude": 0.01, "wavelength": 1.0}, with_road),
     "Waves.level": lambda: calling(WAVES.level, x=0.5, y=0.5),
     "WireRope": lambda: Valid(fx.WireRope, {"diameter": 0.02}, with_section),
+    "ElementPage.evaluate": lambda: calling(
+        fx.page("planar_truss").evaluate, x={"p": (0, 0), "q": (3, 4)}, parameters={"l0": 4.5, "rhoA": 1.0}
+    ),
     "compile_element": lambda: calling(fx.compile_element, element=own_bar(), ranges={"l0": (1.0, 2.0)}),
     "compile_law": lambda: calling(fx.compile_law, law=HARDENING, ranges={"e": (1.0, 2.0)}),
     "grid": lambda: calling(fx.grid, axes={"a": [1.0, 2.0]}),
     "listed": lambda: calling(fx.listed, points=[{"a": 1.0}, {"a": 2.0}]),
     "load": lambda: calling(fx.load, path=Path("saved.npz")),
     "open_sweep": lambda: calling(fx.open_sweep, folder=Path("sweep")),
+    "page": lambda: calling(fx.page, element="truss"),
     "read_spacar": lambda: Valid(
-        fx.read_spacar, {"path": DATA / "slider_crank.dat"}, lambda z: z.system and None
+        fx.read_spacar, {"path": DATA / "slider_crank.dat"}, lambda file: file.system and None
     ),
     "sample": lambda: calling(fx.sample, parameters={"a": (1.0, 2.0)}, count=3),
     "sweep": lambda: calling(fx.sweep, build=plain, points={"a": [1, 2]}, analyse=numbers, **COUNTS),

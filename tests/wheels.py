@@ -34,11 +34,11 @@ PARTS = ("deflection", "camber", "forward", "sideways", "rolling", "longitudinal
 
 
 SIDE = [
-    f"tyre.{z}" for z in PARTS if z not in ("rolling", "longitudinal")
+    f"tyre.{part}" for part in PARTS if part not in ("rolling", "longitudinal")
 ]  # of the linear and the CALSPAN law
 
 
-MAGIC_ON = [f"tyre.{z}" for z in PARTS if z != "sideways"]
+MAGIC_ON = [f"tyre.{part}" for part in PARTS if part != "sideways"]
 
 
 def wheel(

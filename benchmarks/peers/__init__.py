@@ -1,4 +1,4 @@
-"""Other programs beside flexel: the same models in them, one module for each.
+"""The same models in other programs, one module for each.
 
 A program is imported when one of its rows is prepared, so that the table can be read without it.
 """
@@ -12,8 +12,8 @@ from importlib.util import find_spec
 
 from flexel.benchmarks import beams
 from flexel.benchmarks.peers import bicycleparameters, exudyn, mujoco, pinocchio, symbrim
+from flexel.benchmarks.ratios import program
 from flexel.benchmarks.timing import Work
-from flexel.report.speed import program
 
 
 @dataclass(frozen=True)
@@ -25,9 +25,9 @@ class Peer:
     name : str
         Of the program and of the module that is imported; behind a comma how it is used, where that differs.
     distribution : str
-        What pip installs.
+        Name of its package for pip.
     rows : mapping
-        What it does beside the row of a name.
+        Its work for each row, by name.
     largest : mapping
         Largest size of a row that scales, where there is one.
     """
@@ -39,7 +39,7 @@ class Peer:
 
     @property
     def program(self) -> str:
-        """Its name without the way in which it is used."""
+        """Its name without the way it is used."""
         return program(self.name)
 
     @property
@@ -49,7 +49,7 @@ class Peer:
 
     @property
     def version(self) -> str | None:
-        """Of what is installed; None: not installed."""
+        """Version of the installed program; None: not installed."""
         return metadata.version(self.distribution) if self.installed else None
 
     def can(self, row: str, size: int | None) -> bool:
@@ -70,5 +70,5 @@ PEERS = (
 
 
 def beside(row: str) -> list[Peer]:
-    """The programs that have a row of this name."""
+    """Return the programs that have a row of this name."""
     return [peer for peer in PEERS if row in peer.rows]

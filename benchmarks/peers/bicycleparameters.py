@@ -1,6 +1,6 @@
-"""Root loci of the bicycle from the published linear equations, as BicycleParameters evaluates them.
+"""Times root loci of the bicycle from the published linear equations, as BicycleParameters evaluates them.
 
-It knows these equations in closed form: it derives nothing from a model, and has no nonlinear motion.
+The program contains these equations in closed form: it derives nothing from a model, and has no nonlinear motion.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from flexel.examples import bicycle_data as data
 
 
 def loci() -> Work:
-    """M, C1, K0, K2 and the eigenvalues at the speeds of `bicycle.loci`, in one call."""
+    """Time M, C1, K0, K2 and the eigenvalues at the speeds of `bicycle.loci`, in one call."""
     from bicycleparameters.models import Meijaard2007Model
     from bicycleparameters.parameter_sets import Meijaard2007ParameterSet
 

@@ -1,8 +1,8 @@
-"""Ropes and a beam in Exudyn: the same cables with positions and slopes, its generalized-alpha method and statics.
+"""Times ropes and a beam in Exudyn: the same cables, its generalized-alpha method and its statics.
 
 The compiled variant without range checks, a sparse factorization and modified Newton iteration are its fastest
 settings here; the end of the motion agrees with flexel's at the same step to its last digits. Full Newton iteration,
-which flexel uses, and as many load steps as flexel takes are ways of their own.
+which flexel uses, and as many load steps as flexel takes are separate ways of using it.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ from flexel.base.arrays import Array
 from flexel.benchmarks import beams, ropes
 from flexel.benchmarks.timing import Work
 
-TOLERANCE = 1e-6  # of Newton's iteration; with its 1e-8 rounding in long ropes makes it halve the steps
+TOLERANCE = 1e-6  # of Newton's iteration; with its default 1e-8, rounding errors in long ropes make it halve the steps
 STATIC_TOLERANCE = 1e-12  # relative, of the equilibrium; with 1e-10 the iteration stops too early
 STEPS_TOLERANCE = (
     1e-10  # the same in many load steps, relative to a smaller residual; with 1e-11 it does not converge
@@ -30,7 +30,7 @@ STEPS_TOLERANCE = (
 
 
 def loaded() -> Any:
-    """The module in its fast variant, silent."""
+    """Return the module in its fast variant, silent."""
     sys.exudynFast = True  # type: ignore[attr-defined]  # asked for when it is first imported
     with warnings.catch_warnings(), redirect_stdout(StringIO()):
         warnings.simplefilter("ignore")  # of its own modules
@@ -41,7 +41,7 @@ def loaded() -> Any:
 
 
 def rope(n: int) -> tuple[Any, Any, int]:
-    """The rope of `ropes.rope`: the container that owns the system, the system, and the node at the free end."""
+    """Build the rope of `ropes.rope`: the container that owns the system, the system, and the node at the free end."""
     exudyn = loaded()
     items = import_module("exudyn.itemInterface")
 
@@ -67,7 +67,7 @@ def rope(n: int) -> tuple[Any, Any, int]:
 
 
 def hold(system: Any, items: Any, node: int, coordinates: Iterable[int]) -> None:
-    """Keep coordinates of a node where they are."""
+    """Hold coordinates of a node."""
     ground = system.AddNode(items.NodePointGround())
     fixed = system.AddMarker(items.MarkerNodeCoordinate(nodeNumber=ground, coordinate=0))
     for axis in coordinates:
@@ -76,7 +76,7 @@ def hold(system: Any, items: Any, node: int, coordinates: Iterable[int]) -> None
 
 
 def settings(seconds: float, step: float, period: float, modified: bool) -> Any:
-    """Of a motion in equal steps by full or modified Newton iteration; the free end is stored each `period` [s]."""
+    """Return settings of a motion in equal steps by full or modified Newton iteration; results each `period` [s]."""
     exudyn = loaded()
     given = exudyn.SimulationSettings()
     motion = given.timeIntegration
@@ -93,11 +93,11 @@ def settings(seconds: float, step: float, period: float, modified: bool) -> Any:
 
 
 def motion(n: int, seconds: float, period: float, error: Callable[[Array], float], modified: bool) -> Work:
-    """A rope of n cables, run from its start; the result is the place (3,) of its free end."""
+    """Time a rope of n cables, run from its start; the result is the position (3,) of its free end."""
     box, system, free = rope(n)
     given = settings(seconds, ropes.STEP, period, modified)
 
-    def run(_: Any = box) -> Array:  # which must live as long
+    def run(_: Any = box) -> Array:  # kept alive
         if not system.SolveDynamic(given):
             raise RuntimeError("Exudyn's motion did not reach its end")
         return np.array(system.GetNodeOutput(free, loaded().OutputVariableType.Position), dtype=float)
@@ -106,37 +106,39 @@ def motion(n: int, seconds: float, period: float, error: Callable[[Array], float
 
 
 def cables(modified: bool = True) -> Work:
-    """The motion of `ropes.cables`; the place of the free end is stored 101 times, not the state or the energy."""
+    """Time the motion of `ropes.cables`; the position of the free end is stored 101 times, not state or energy."""
     return motion(56, 1.0, 0.01, ropes.place_error, modified)
 
 
 def release(n: int, modified: bool = True) -> Work:
-    """The motion of `ropes.release`."""
+    """Time the motion of `ropes.release`."""
     return motion(n, ropes.RELEASE, ropes.RELEASE, ropes.release_error, modified)
 
 
 def cantilever(load_steps: int = 1) -> Work:
-    """The equilibrium of `beams.equilibrium`, by planar cables with the integration that does not lock."""
+    """Time the equilibrium of `beams.equilibrium`, by planar cables with the integration that does not lock."""
     exudyn = loaded()
     items = import_module("exudyn.itemInterface")
     box = exudyn.SystemContainer()
     system, length = box.AddSystem(), 1 / beams.ELEMENTS
     places = [[length * i, 0, 1, 0] for i in range(beams.ELEMENTS + 1)]
-    nodes = [system.AddNode(items.NodePoint2DSlope1(referenceCoordinates=z)) for z in places]
+    nodes = [system.AddNode(items.NodePoint2DSlope1(referenceCoordinates=place)) for place in places]
     for ends in zip(nodes, nodes[1:], strict=False):
         cable = items.ObjectANCFCable2D(
             nodeNumbers=list(ends), length=length, massPerLength=1.0, bendingStiffness=1.0,
             axialStiffness=beams.EA, useReducedOrderIntegration=2,
         )  # fmt: skip
         system.AddObject(cable)
-    hold(system, items, nodes[0], (0, 1, 3))  # the slope keeps its direction
+    hold(system, items, nodes[0], (0, 1, 3))  # holds the direction of the slope
     marker = system.AddMarker(items.MarkerNodePosition(nodeNumber=nodes[-1]))
     system.AddLoad(items.Force(markerNumber=marker, loadVector=[0, beams.LOAD, 0]))
     system.Assemble()
     given = exudyn.SimulationSettings()
     given.staticSolver.numberOfLoadSteps = load_steps
     given.staticSolver.newton.relativeTolerance = STATIC_TOLERANCE if load_steps == 1 else STEPS_TOLERANCE
-    given.staticSolver.newton.absoluteTolerance = 1e-7  # its 1e-10 is below the rounding of so stiff a rod
+    given.staticSolver.newton.absoluteTolerance = (
+        1e-7  # its 1e-10 is below rounding errors of such a stiff rod
+    )
     given.staticSolver.verboseMode = 0
     given.solution.file.write = False
     given.linearSolver.solverType = exudyn.LinearSolverType.EigenSparse

@@ -1,4 +1,4 @@
-"""Open chains in MuJoCo: joint coordinates and its composite-body algorithm.
+"""Times open chains in MuJoCo: joint coordinates and its composite-body algorithm.
 
 Closed chains have no row: MuJoCo's constraints are soft, so the same model cannot be built.
 """
@@ -12,11 +12,11 @@ from typing import Any
 from flexel.benchmarks import chains
 from flexel.benchmarks.timing import Work
 
-LARGEST = {"scaling_chain": 500}  # with 1000 rods rounding leaves an error of 2e-5
+LARGEST = {"scaling_chain": 500}  # with 1000 rods rounding errors reach 2e-5
 
 
 def chain(n: int) -> Any:
-    """The open chain of `chains.chain`, without contacts and other constraints."""
+    """Build the open chain of `chains.chain`, without contacts and other constraints."""
     import mujoco
 
     spec = mujoco.MjSpec()
@@ -32,7 +32,7 @@ def chain(n: int) -> Any:
 
 
 def right_hand_side(n: int) -> Work:
-    """Accelerations of the joints at the states of `chains.right_hand_side`, without its sensors."""
+    """Time accelerations of the joints at the states of `chains.right_hand_side`, without its sensors."""
     import mujoco
 
     model = chain(n)

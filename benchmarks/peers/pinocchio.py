@@ -1,4 +1,4 @@
-"""Chains in Pinocchio: joint coordinates and the articulated-body algorithm; its variant for closed loops."""
+"""Times chains in Pinocchio: joint coordinates and the articulated-body algorithm, and its variant for closed loops."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ THIN = 1e-9  # radius of bars [m]
 
 
 def chain(n: int, closed: bool = False) -> Any:
-    """The chain of `chains.chain`: joints about y, counted from the directions in which the rods are drawn."""
+    """Build the chain of `chains.chain`: joints about y, counted from the directions in which the rods are drawn."""
     import pinocchio as pin
 
     model, joint = pin.Model(), 0
@@ -36,7 +36,7 @@ def chain(n: int, closed: bool = False) -> Any:
 
 
 def right_hand_side(n: int, closed: bool = False) -> Work:
-    """Accelerations of the joints at the states of `chains.right_hand_side`."""
+    """Time accelerations of the joints at the states of `chains.right_hand_side`."""
     import pinocchio as pin
 
     model = chain(n, closed)
@@ -51,12 +51,12 @@ def right_hand_side(n: int, closed: bool = False) -> Work:
 
 
 def ladder_side(n: int) -> Work:
-    """Accelerations of cranks and couplers at the states of `ladder.right_hand_side`."""
+    """Time accelerations of cranks and couplers at the states of `ladder.right_hand_side`."""
     import pinocchio as pin
 
     model = pin.Model()
     model.gravity.linear = np.array([0, -ladder.GRAVITY, 0])
-    tip, end = (pin.SE3(np.eye(3), np.array([z, 0, 0])) for z in (ladder.CRANK, ladder.SPACING))
+    tip, end = (pin.SE3(np.eye(3), np.array([x, 0, 0])) for x in (ladder.CRANK, ladder.SPACING))
     hinges: list[Any] = []
     q: list[float] = []
     v: list[float] = []
@@ -88,7 +88,7 @@ def ladder_side(n: int) -> Work:
 def accelerations(
     model: Any, states: Sequence[tuple[Array, Array]], hinges: Sequence[Any]
 ) -> Callable[[], Any]:
-    """A function that gives the accelerations of the joints in some states, with or without loops closed by hinges."""
+    """Return a function for the accelerations of the joints in some states, with or without loops closed by hinges."""
     import pinocchio as pin
 
     data, rest = model.createData(), np.zeros(model.nv)

@@ -1,6 +1,6 @@
-"""Equations of motion M(y) u' = f(y) of SymPy printed as C, compiled with cffi, and solved there by elimination.
+"""Prints SymPy's equations of motion M(y) u' = f(y) as C, compiles them with cffi, and solves them by elimination.
 
-This is what a user of SymPy gets who prints the equations as C instead of turning them into Python functions.
+A user of SymPy can print the equations as C like this instead of turning them into Python functions.
 """
 
 from __future__ import annotations
@@ -64,7 +64,7 @@ static void rates(const double *y, double *dy)
 
 
 def printed(names: Sequence[Any], entries: Sequence[Any]) -> Rates:
-    """The time derivative of y = (q, u), all in C.
+    """Compile the time derivative of y = (q, u), all in C.
 
     Parameters
     ----------
@@ -87,7 +87,7 @@ def printed(names: Sequence[Any], entries: Sequence[Any]) -> Rates:
 
 
 def body(names: Sequence[Any], entries: Sequence[Any]) -> str:
-    """C that computes the entries, with common subexpressions and small powers as products."""
+    """Print C that computes the entries, with common subexpressions and small powers as products."""
     import sympy
     from sympy.codegen.rewriting import create_expand_pow_optimization
 
@@ -101,7 +101,7 @@ def body(names: Sequence[Any], entries: Sequence[Any]) -> str:
 
 
 def compiled(source: str) -> Any:
-    """The extension module of a source with the function `rates`."""
+    """Build the extension module of a source with the function `rates`."""
     from cffi import FFI
 
     builder = FFI()

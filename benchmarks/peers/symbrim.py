@@ -1,6 +1,6 @@
-"""The bicycle by SymBRiM: Kane's equations derived by SymPy, as Python functions by `lambdify`, or printed as C.
+"""Times the bicycle in SymBRiM: Kane's equations derived by SymPy, as Python functions by `lambdify`, or printed as C.
 
-The state has all coordinates and speeds, as in SymBRiM's own examples: nothing is projected back onto the
+The state has all coordinates and speeds, as in SymBRiM's examples: nothing is projected back onto the
 constraints, which saves time and costs digits in a long run.
 """
 
@@ -25,7 +25,7 @@ INDEPENDENT = [ROLL, REAR, STEER]  # speeds
 
 
 @dataclass(frozen=True)
-class Equations:
+class BicycleEquations:
     """Functions of the coordinates and speeds, (8,) each.
 
     Attributes
@@ -43,14 +43,14 @@ class Equations:
     compiled: Rates | None = None
 
     def rates(self, y: Array) -> Array:
-        """Time derivative (16,) of coordinates and speeds."""
+        """Return the time derivative (16,) of coordinates and speeds."""
         if self.compiled is not None:
             return self.compiled(y)
         found = np.array(self.dynamics(*y.tolist()))
         return np.concatenate([y[8:], np.linalg.solve(found[:64].reshape(8, 8), found[64:])])
 
     def start(self, speed: float, roll_rate: float) -> Array:
-        """Coordinates and speeds (16,) upright, straight ahead, turning about the ground line."""
+        """Return coordinates and speeds (16,) upright, straight ahead, turning about the ground line."""
         q, u = np.zeros(8), np.zeros(8)
         q[PITCH] = data.BENCHMARK["lam"]
         u[ROLL], u[REAR] = roll_rate, -speed / data.BENCHMARK["rR"]
@@ -60,8 +60,8 @@ class Equations:
         return np.concatenate([q, u])
 
 
-def derive(in_c: bool = False) -> Equations:
-    """The equations of the Whipple bicycle with the numbers of the benchmark, as Python functions or in C."""
+def derive(in_c: bool = False) -> BicycleEquations:
+    """Derive the equations of the Whipple bicycle for the benchmark's data, as Python functions or in C."""
     import symbrim
     import sympy
     from sympy.physics.mechanics import dynamicsymbols
@@ -75,14 +75,16 @@ def derive(in_c: bool = False) -> Equations:
     system = model.to_system()
     system.apply_uniform_gravity(-data.BENCHMARK["g"] * model.ground.get_normal(model.ground.origin))
     q, u = list(model.q), list(model.u)
-    system.q_ind, system.q_dep = [z for z in q if z is not q[PITCH]], [q[PITCH]]
+    system.q_ind, system.q_dep = [coordinate for coordinate in q if coordinate is not q[PITCH]], [q[PITCH]]
     system.u_ind = [u[i] for i in INDEPENDENT]
-    system.u_dep = [z for i, z in enumerate(u) if i not in INDEPENDENT]
+    system.u_dep = [speed for i, speed in enumerate(u) if i not in INDEPENDENT]
     system.form_eoms(constraint_solver="CRAMER")
     kane, numbers = system.eom_method, values(model)
-    order = [list(system.u).index(z) for z in u]
+    order = [list(system.u).index(speed) for speed in u]
     t = dynamicsymbols._t
-    slips = system.velocity_constraints.xreplace(dict(zip([z.diff(t) for z in q], u, strict=True)))
+    slips = system.velocity_constraints.xreplace(
+        dict(zip([coordinate.diff(t) for coordinate in q], u, strict=True))
+    )
     names = sympy.symbols("q:8 u:8")
     plain = {**numbers, **dict(zip([*q, *u], names, strict=True))}
 
@@ -92,7 +94,7 @@ def derive(in_c: bool = False) -> Equations:
 
     dynamics = [entry.xreplace(plain) for entry in [*kane.mass_matrix[:, order], *kane.forcing]]
     constraints = [entry.xreplace(plain) for entry in slips.jacobian(sympy.Matrix(u))]
-    return Equations(
+    return BicycleEquations(
         function(names, dynamics),
         function(names[:8], constraints),
         printed(names, dynamics) if in_c else None,
@@ -100,7 +102,7 @@ def derive(in_c: bool = False) -> Equations:
 
 
 def values(model: Any) -> dict[Any, float]:
-    """The numbers of the benchmark by SymBRiM's symbols: frames along the steering axis, lengths between them."""
+    """Return the benchmark's data by SymBRiM's symbols: frames along the steering axis, lengths between them."""
     p = data.BENCHMARK
     s, c = float(np.sin(p["lam"])), float(np.cos(p["lam"]))
     d1 = c * (p["c"] + p["w"]) - p["rR"] * s
@@ -115,7 +117,9 @@ def values(model: Any) -> dict[Any, float]:
         "l4": (p["xH"] - p["w"]) * s + (p["zH"] + p["rF"]) * c,
     }
     frames, wheels = (model.rear_frame, model.front_frame), (model.rear_wheel, model.front_wheel)
-    found = {symbol: lengths[name] for z in frames for name, symbol in z.symbols.items() if name in lengths}
+    found = {
+        symbol: lengths[name] for frame in frames for name, symbol in frame.symbols.items() if name in lengths
+    }
     turn = np.array([[c, 0, -s], [0, 1, 0], [s, 0, c]])
     for part, name in zip((*frames, *wheels), "BHRF", strict=True):
         xx, yy, xz = p[f"I{name}xx"], p[f"I{name}yy"], p.get(f"I{name}xz", 0.0)
@@ -131,7 +135,7 @@ def values(model: Any) -> dict[Any, float]:
 
 
 def right_hand_side(in_c: bool = False) -> Work:
-    """Accelerations of all speeds at two states in turn, see `bicycle.right_hand_side`."""
+    """Time accelerations of all speeds at two alternating states, see `bicycle.right_hand_side`."""
     equations = derive(in_c)
     y = equations.start(data.M1_SPEED, bicycle.SMALL)
     points = y, y + 1e-4
@@ -140,31 +144,33 @@ def right_hand_side(in_c: bool = False) -> Work:
         lateral = [8 + ROLL, 8 + STEER]
         return bicycle.accelerations_error(rates[0][lateral], y[lateral])
 
-    return Work(lambda: [equations.rates(z) for z in points], error, count=2)
+    return Work(lambda: [equations.rates(point) for point in points], error, count=2)
 
 
 def manoeuvre() -> Work:
-    """Manoeuvre M1 by the same method and tolerances as in `bicycle.manoeuvre`."""
+    """Time manoeuvre M1 by the same method and tolerances as in `bicycle.manoeuvre`."""
     from scipy.integrate import solve_ivp
 
     equations = derive()
     y = equations.start(data.M1_SPEED, data.ROLL_RATE)
 
     def run() -> Any:
-        return solve_ivp(lambda t, z: equations.rates(z), (0, 5.0), y, method="DOP853", rtol=1e-7, atol=1e-9)
+        return solve_ivp(
+            lambda t, state: equations.rates(state), (0, 5.0), y, method="DOP853", rtol=1e-7, atol=1e-9
+        )
 
     return Work(run, lambda motion: abs(motion.y[STEER, -1] - data.M1_STEER_5S))
 
 
 def manoeuvre_in_c() -> Work:
-    """The same with the equations in C, by Hairer's own DOP853: only the call of the equations is Python."""
+    """Time the same with the equations in C, by Hairer's DOP853: only the call of the equations is Python."""
     from scipy.integrate import ode
 
     equations = derive(in_c=True)
     y = equations.start(data.M1_SPEED, data.ROLL_RATE)
 
     def run() -> Array:
-        solver = ode(lambda t, z: equations.rates(z)).set_integrator(
+        solver = ode(lambda t, state: equations.rates(state)).set_integrator(
             "dop853", rtol=1e-7, atol=1e-9, nsteps=100_000
         )
         end: Array = solver.set_initial_value(y, 0.0).integrate(5.0)

@@ -31,7 +31,10 @@ def check_element_joins(owner: str, what: str, expr: Expr) -> None:
     """Raise a ValueError for a Piecewise whose value or slope jumps where one piece ends and another begins."""
     for pieces in sorted(expr.atoms(sp.Piecewise), key=sp.default_sort_key):
         for s, end, line, at in _ends(pieces):
-            if any(_jumps(f"{owner}: {what}: {pieces}", z, s, end, at, EXACT) for z in (line, line.diff(s))):
+            if any(
+                _jumps(f"{owner}: {what}: {pieces}", function, s, end, at, EXACT)
+                for function in (line, line.diff(s))
+            ):
                 raise ValueError(
                     f"{owner}: {what}: the pieces of {pieces} do not join smoothly where {end} = 0; make value and "
                     "slope equal there"
@@ -39,16 +42,18 @@ def check_element_joins(owner: str, what: str, expr: Expr) -> None:
 
 
 def _ends(expr: Expr) -> Iterator[tuple[Symbol, Expr, Expr, Expr]]:
-    """Where pieces of a formula end: the symbol that passes the end, the end, the formula of that symbol, the place."""
+    """Yield where a formula's pieces end: the symbol passing the end, the end, the symbol's formula, and its value."""
     exact = expr.xreplace(
-        {z: Rational(z) for z in expr.atoms(sp.Float)}
+        {number: Rational(number) for number in expr.atoms(sp.Float)}
     )  # places beside an end compare exactly
     symbols = sorted(exact.free_symbols, key=str)
-    ends = [z.lhs - z.rhs for z in exact.atoms(Relational)]
-    ends += [z.args[0] for z in exact.atoms(sp.sign, sp.Heaviside)]
+    ends = [relation.lhs - relation.rhs for relation in exact.atoms(Relational)]
+    ends += [function.args[0] for function in exact.atoms(sp.sign, sp.Heaviside)]
     for end in sorted(set(ends), key=sp.default_sort_key):
         for s in symbols:
-            others = {z: Rational(137 + 100 * i, 1000) for i, z in enumerate(symbols) if z != s}
+            others = {
+                symbol: Rational(137 + 100 * i, 1000) for i, symbol in enumerate(symbols) if symbol != s
+            }
             slope = end.diff(s).subs(others)
             if slope.is_number and slope != 0:
                 at = -end.subs({**others, s: 0}) / slope
@@ -58,20 +63,20 @@ def _ends(expr: Expr) -> Iterator[tuple[Symbol, Expr, Expr, Expr]]:
 def _jumps(what: str, line: Expr, s: Symbol, end: Expr, at: Expr, allowed: float) -> bool:
     """Whether a formula of one symbol jumps at a place; raises a ValueError where it has no value beside it."""
     sides = [[_value(line, s, at, side, far) for side in (-1, 1)] for far in (NEAR, NEARER, FAR)]
-    if any(z is None for z in sides[1]):
+    if any(side is None for side in sides[1]):
         where = f"{s} = {float(at):g}" if end.free_symbols == {s} else f"{end} = 0"
         raise ValueError(
             f"{what} has no value on one side of {where}; give every case a piece, the last one with the condition True"
         )
-    values = [[0j if z is None else z for z in pair] for pair in sides]
-    if any(z.imag for pair in values for z in pair):
+    values = [[0j if value is None else value for value in pair] for pair in sides]
+    if any(value.imag for pair in values for value in pair):
         return False  # at the end of a root's or a logarithm's range
     first, second = (abs(right - left) for left, right in values[:2])
-    return second > max(allowed * max(abs(z) for pair in values for z in pair), first / 2)
+    return second > max(allowed * max(abs(value) for pair in values for value in pair), first / 2)
 
 
 def _value(line: Expr, s: Symbol, at: Expr, side: int, distance: int) -> complex | None:
-    """Value of a formula of one symbol beside a place; None where it has none."""
+    """Return the value of a formula of one symbol next to a point; None where it has none."""
     value = sp.N(line.subs(s, at + Rational(side, distance)), DIGITS)
     if value.is_infinite:
         return complex(float("inf"))

@@ -21,7 +21,9 @@ DIGITS, STEP = 50, sp.Float(10, 50) ** -15  # of the difference quotient of the 
 
 def check_stored(law: Law, data: Mapping[str, NDArray[np.float64]]) -> None:
     """Raise ValueError for an energy whose slope is not the elastic stress, at pairs of sampled deformations."""
-    depends = {z for expr in (*law.sigma, *(expr for _, expr in law.let)) for z in expr.free_symbols}
+    depends = {
+        symbol for expr in (*law.sigma, *(expr for _, expr in law.let)) for symbol in expr.free_symbols
+    }
     if len(law.e) != 1 or law.states or law.energy == 0 or TIME in depends:
         return
     largest = _largest_number(law)
@@ -39,22 +41,22 @@ def check_stored(law: Law, data: Mapping[str, NDArray[np.float64]]) -> None:
 
 
 def _largest_number(law: Law) -> float:
-    """The largest number in the stress and the energy, at least 1: the size of the terms that may cancel."""
+    """Return the largest number in the stress and the energy, at least 1: the size of the terms that may cancel."""
     numbers = law.sigma[0].atoms(sp.Number) | law.energy.atoms(sp.Number)
     return max([1.0, *(abs(float(number)) for number in numbers if number.is_finite)])
 
 
 def _sides(law: Law, parameters: Mapping[sp.Symbol, float], at: float) -> tuple[complex, complex]:
-    """Stress at rest and slope of the energy at a deformation."""
+    """Return the stress at rest and slope of the energy at a deformation."""
     e, half = sp.Float(at, DIGITS), STEP / 2
-    ends = [_values(law, parameters, z)[1] for z in (e - half, e + half)]
+    ends = [_values(law, parameters, strain)[1] for strain in (e - half, e + half)]
     return complex(_values(law, parameters, e)[0]), complex((ends[1] - ends[0]) / STEP)
 
 
 def _values(law: Law, parameters: Mapping[sp.Symbol, float], at: sp.Expr) -> tuple[sp.Expr, sp.Expr]:
-    """Stress at rest and energy; the named intermediates are computed one after another, as the kernels do it."""
+    """Return the stress at rest and the energy; named intermediates are computed one by one, as in the kernels."""
     known: dict[sp.Symbol, sp.Expr] = dict.fromkeys((*law.ed, *law.s), sp.S.Zero)
-    known |= {z: sp.Float(float(value), DIGITS) for z, value in parameters.items()} | {law.e[0]: at}
+    known |= {symbol: sp.Float(float(value), DIGITS) for symbol, value in parameters.items()} | {law.e[0]: at}
     for symbol, expr in law.let:
         known[symbol] = expr.xreplace(known).evalf(DIGITS)
     return law.sigma[0].xreplace(known).evalf(DIGITS), law.energy.xreplace(known).evalf(DIGITS)

@@ -1,10 +1,9 @@
 """Declarations of elements and laws: the vocabulary of their definitions, and immediate checks."""
 
+from flexel.derive.declare.constants import Parameter
+from flexel.derive.declare.deformations import Deformation, Slip
 from flexel.derive.declare.element import Element
-from flexel.derive.declare.law import Internal, Law, Limit
-from flexel.derive.declare.let import Let
-from flexel.derive.declare.modes import Deformation, Slip
-from flexel.derive.declare.nodes import (
+from flexel.derive.declare.element_nodes import (
     Frame,
     Node,
     PlanarAngle,
@@ -14,7 +13,9 @@ from flexel.derive.declare.nodes import (
     Slope,
     Warping,
 )
-from flexel.derive.declare.parameters import Parameter
+from flexel.derive.declare.law import Internal, Law, Limit
+from flexel.derive.declare.let import Let
+from flexel.derive.declare.output import Output
 from flexel.derive.declare.symbols import TIME, symbol
 
 __all__ = [
@@ -27,6 +28,7 @@ __all__ = [
     "Let",
     "Limit",
     "Node",
+    "Output",
     "Parameter",
     "PlanarAngle",
     "PlanarPoint",

@@ -10,7 +10,7 @@ from sympy.functions.elementary.piecewise import ExprCondPair
 from sympy.logic.boolalg import Boolean
 
 from flexel.derive.declare.functions import FUNCTIONS, KINKED
-from flexel.derive.errors import ElementError
+from flexel.derive.definition_errors import ElementError
 
 # Words that cannot be names in the generated C, and the names of the arguments of its functions.
 _RESERVED = frozenset(
@@ -18,6 +18,11 @@ _RESERVED = frozenset(
     "long register restrict return short signed sizeof static struct switch typedef union unsigned void "
     "volatile while real complex bool true false nblocks in out main".split()
 )
+# Names of arrays in the generated C, and what else is a name there.
+ARRAYS = frozenset(
+    "x v a p e ed s z t sigma tau De V g gs M h f U P zd Phi_x Psi_x Psi_v K R_x R_v J".split()
+)
+TAKEN = frozenset("in out j b real size_t sizeof int double const for pow exp log main".split())
 _LONGEST = 40  # letters of a name, which become part of longer ones in C and of names of files
 _IDENTIFIER = re.compile(r"[A-Za-z][A-Za-z0-9_]*\Z")
 
@@ -36,9 +41,18 @@ def check_name(owner: str, name: str) -> None:
         )
 
 
+def check_array(owner: str, name: str) -> None:
+    """Raise ElementError for a name that cannot be that of an output array in C, beside those of the kernels."""
+    check_name(owner, name)
+    if name in ARRAYS | TAKEN or name.startswith("real_") or (name[0] == "t" and name[1:].isdigit()):
+        raise ElementError(f"{owner}: the output '{name}' has the name of something in the C; choose another")
+
+
 def check_list(owner: str, what: str, given: object, kind: type) -> None:
     """Raise ElementError for anything but a list or tuple of objects of a kind."""
-    wrong = [z for z in given if not isinstance(z, kind)] if isinstance(given, Iterable) else [given]
+    wrong = (
+        [value for value in given if not isinstance(value, kind)] if isinstance(given, Iterable) else [given]
+    )
     if wrong:
         each = f" of {kind.__name__}" if kind is not object else ""
         raise ElementError(f"{owner}: {what} holds {wrong[0]!r}; give a tuple{each}, (…,) even for one")
@@ -54,7 +68,7 @@ def check_scalar(owner: str, what: str, expr: object) -> None:
 
 
 def rate_degrees(expr: Expr, known: dict[Symbol, frozenset[int]]) -> frozenset[int]:
-    """Degrees in the rates of the terms of an expression, found from its structure.
+    """Find the degrees in the rates of the terms of an expression, from its structure.
 
     Parameters
     ----------

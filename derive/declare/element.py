@@ -10,6 +10,7 @@ import sympy as sp
 from sympy import Expr, Matrix, Symbol
 
 from flexel.derive.declare.checks import (
+    check_array,
     check_functions,
     check_list,
     check_name,
@@ -19,12 +20,13 @@ from flexel.derive.declare.checks import (
     check_unique,
     rate_degrees,
 )
-from flexel.derive.declare.modes import Deformation, Slip
-from flexel.derive.declare.nodes import Node
-from flexel.derive.declare.parameters import Parameter
+from flexel.derive.declare.constants import Parameter
+from flexel.derive.declare.deformations import Deformation, Slip
+from flexel.derive.declare.element_nodes import Node
+from flexel.derive.declare.output import Output
 from flexel.derive.declare.winding import check_period
-from flexel.derive.declare.words import FAMILIES, PICTURES, check_word
-from flexel.derive.errors import ElementError
+from flexel.derive.declare.words import PICTURES, check_family, check_word
+from flexel.derive.definition_errors import ElementError
 
 
 @dataclass(frozen=True)
@@ -53,19 +55,21 @@ class Element:
     source : str
         Author, year, equation.
     family : str, optional
-        How analyses treat it, one of `flexel.derive.declare.words.FAMILIES`.
+        How analyses treat it, one of `flexel.derive.declare.words.FAMILIES`; its nodes are those of the family.
     picture : str, optional
         Its painter, one of `flexel.derive.declare.words.PICTURES`; by default a line through its points.
     span : str, optional
         Name of the built-in element that carries a load along its length: on its first nodes, or on the first and the
         last of them, with parameters that it has itself.
+    outputs : tuple of Output, optional
+        What it reports beside its deformations, such as section forces, and the places and lines that a picture draws.
 
     Raises
     ------
     ElementError
         A name is used twice or is not a name in C, a unit or a meaning is missing, an expression is not scalar or
-        contains an unknown symbol or function, D or U depends on v, a slip is not linear or T not quadratic
-        in v.
+        contains an unknown symbol or function, D, U or an output depends on v, a slip is not linear or T not
+        quadratic in v, a family has other nodes.
     """
 
     name: str
@@ -81,11 +85,12 @@ class Element:
     family: str = ""
     picture: str = ""
     span: str = ""
+    outputs: tuple[Output, ...] = ()
 
     def __post_init__(self) -> None:
-        owner = f"element '{self.name}'"
-        kinds = {"nodes": Node, "parameters": Parameter, "deformations": Deformation, "slips": Slip}
-        for what, kind in kinds.items():
+        owner = self.owner
+        kinds: dict[str, type] = {"nodes": Node, "parameters": Parameter, "outputs": Output}
+        for what, kind in (kinds | {"deformations": Deformation, "slips": Slip}).items():
             check_list(owner, what, getattr(self, what), kind)
         check_name(owner, self.name)
         if not self.nodes:
@@ -97,12 +102,12 @@ class Element:
         check_unique(owner, [d.name for d in self.deformations] + [s.name for s in self.slips])
         check_unique(owner, [node.name for node in self.nodes])
         check_unique(owner, [p.name for p in self.parameters])
-        check_word(owner, "family", self.family, FAMILIES)
+        check_family(owner, self.family, [node.kind for node in self.nodes])
         check_word(owner, "picture", self.picture, PICTURES)
         self._check_expressions(owner)
 
     def _check_expressions(self, owner: str) -> None:
-        degrees = dict.fromkeys([*self.x, *self.parameter_symbols], frozenset({0}))
+        degrees = dict.fromkeys(self.arguments, frozenset({0}))
         degrees.update(dict.fromkeys(self.v, frozenset({1})))
         moving = {*self.x}  # symbols that change with the coordinates
 
@@ -138,6 +143,54 @@ class Element:
         if not (modes or self.kinetic_energy or self.potential):
             raise ElementError(f"{owner}: it has no deformation, slip or energy; declare one")
         check_text(owner, "the element", self.doc)
+        self._check_outputs(owner, degrees)
+
+    def _check_outputs(self, owner: str, degrees: dict[Symbol, frozenset[int]]) -> None:
+        """Check the outputs; `degrees` has the degree in the rates of all other symbols."""
+        if not self.outputs:
+            return
+        given = [*self.forces, *self.values, *self.stresses]
+        check_unique(owner, [s.name for s in (*degrees, *given)])
+        check_unique(owner, [output.name for output in self.outputs])
+        known = degrees | dict.fromkeys(given, frozenset({0}))
+        planar = all(node.kind.startswith("planar_") for node in self.nodes)
+        for output in self.outputs:
+            what = f"output '{output.name}'"
+            check_array(owner, output.name)
+            for expr in output.exprs:
+                check_scalar(owner, what, expr)
+                check_symbols(owner, what, expr, known)
+                if not rate_degrees(expr, known) <= {0}:
+                    raise ElementError(
+                        f"{owner}: {what} depends on rates; it is a function of positions and forces"
+                    )
+                check_functions(owner, what, expr)
+            if output.draws and output.shape[-1] != (2 if planar else 3):
+                row = "(x, y)" if planar else "(x, y, z)"
+                raise ElementError(
+                    f"{owner}: {what} is drawn, but its shape is {output.shape}; give a row {row} for each place"
+                )
+            self._check_carrier(owner, output, 2 if planar else 3)
+
+    def _check_carrier(self, owner: str, output: Output, size: int) -> None:
+        """Check that the frame that carries a drawn line is among the outputs: its origin, then its axes."""
+        shapes = {other.name: other.shape for other in self.outputs}
+        found = [shapes.get(name) for name in output.carrier]
+        if output.carrier and found != [(size,), (size, size)]:
+            raise ElementError(
+                f"{owner}: the carrier {output.carrier} of output '{output.name}' is not a frame; name two outputs, "
+                f"its origin ({size} components) and its axes ({size} rows)"
+            )
+
+    @property
+    def owner(self) -> str:
+        """Kind and name, as messages begin."""
+        return f"element '{self.name}'"
+
+    @property
+    def arguments(self) -> tuple[Symbol, ...]:
+        """Coordinates and parameters: all symbols that its deformations are functions of."""
+        return (*self.x, *self.parameter_symbols)
 
     @property
     def x(self) -> Matrix:
@@ -148,6 +201,21 @@ class Element:
     def v(self) -> Matrix:
         """Their rates, column (n, 1)."""
         return Matrix([c for node in self.nodes for c in node.v])
+
+    @property
+    def forces(self) -> Matrix:
+        """Forces at all nodes, column (n, 1), as outputs know them."""
+        return Matrix([c for node in self.nodes for c in node.f])
+
+    @property
+    def values(self) -> tuple[Symbol, ...]:
+        """Values of all deformations (m,), as outputs know them."""
+        return tuple(d.value for d in self.deformations)
+
+    @property
+    def stresses(self) -> tuple[Symbol, ...]:
+        """Stresses of all deformations, then of all slips (m + k,), as outputs know them."""
+        return (*(d.stress for d in self.deformations), *(s.stress for s in self.slips))
 
     @property
     def parameter_symbols(self) -> tuple[Symbol, ...]:

@@ -14,9 +14,9 @@ from flexel.derive.declare.checks import (
     check_text,
     check_unique,
 )
-from flexel.derive.declare.parameters import Parameter
+from flexel.derive.declare.constants import Parameter
 from flexel.derive.declare.symbols import TIME, symbol
-from flexel.derive.errors import ElementError
+from flexel.derive.definition_errors import ElementError
 
 
 @dataclass(frozen=True)
@@ -102,12 +102,12 @@ class Law:
     units: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
-        owner = f"law '{self.name}'"
+        owner = self.owner
         kinds = {"parameters": Parameter, "states": Internal, "e": Symbol, "ed": Symbol, "s": Symbol}
         for what, kind in {**kinds, "sigma": object, "tau": object}.items():
             check_list(owner, what, getattr(self, what), kind)
         check_name(owner, self.name)
-        symbols = [*self.e, *self.ed, *self.s, *self.z, TIME, *self.parameter_symbols]
+        symbols = list(self.arguments)
         for s in (*symbols, *(s for s, _ in self.let)):
             check_name(owner, s.name)
         self._check_names(owner)
@@ -154,6 +154,16 @@ class Law:
                 f"{owner}: the energy depends on rates, slips or the time; it is one of (e, z)"
             )
         check_text(owner, "the law", self.doc)
+
+    @property
+    def owner(self) -> str:
+        """Kind and name, as messages begin."""
+        return f"law '{self.name}'"
+
+    @property
+    def arguments(self) -> tuple[Symbol, ...]:
+        """All symbols that its expressions are functions of, in the order of the kernels' arrays."""
+        return (*self.e, *self.ed, *self.s, *self.z, TIME, *self.parameter_symbols)
 
     @property
     def z(self) -> tuple[Symbol, ...]:

@@ -14,7 +14,7 @@ _HALVINGS = 2  # of half the rotation
 
 
 def rotation_vector(let: Let, q: Matrix) -> tuple[Matrix, Matrix, Expr]:
-    """Rotation vector of a quaternion, for angles below half a turn, and half of the rotation.
+    """Return the rotation vector of a quaternion, for angles below half a turn, and half of the rotation.
 
     The angle is halved by tan(a/2) = tan(a)/(1 + sqrt(1 + tan(a)^2)) until at most pi/16 remains, where the series of
     the arc tangent is exact to rounding, with its derivatives, at zero too.
@@ -42,6 +42,6 @@ def rotation_vector(let: Let, q: Matrix) -> tuple[Matrix, Matrix, Expr]:
 
 
 def turned_back(gibbs: Matrix, square: Expr, a: Matrix) -> Matrix:
-    """The column a (3, 1) turned back by the rotation with a Gibbs vector."""
+    """Turn the column a (3, 1) back by the rotation with a Gibbs vector."""
     once = cross(gibbs, a)
     return a + (cross(gibbs, once) - once) * 2 / (1 + square)

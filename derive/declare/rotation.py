@@ -13,27 +13,27 @@ HALF = sp.Rational(1, 2)
 
 
 def dot(a: Matrix, b: Matrix) -> Expr:
-    """Scalar product of two columns."""
+    """Return the scalar product of two columns."""
     return sp.Add(*(a[i] * b[i] for i in range(len(a))))
 
 
 def cross(a: Matrix, b: Matrix) -> Matrix:
-    """Vector product of two columns (3, 1)."""
+    """Return the vector product of two columns (3, 1)."""
     return Matrix([a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]])
 
 
 def norm(a: Matrix) -> Expr:
-    """Length of a column."""
+    """Return the length of a column."""
     return sp.sqrt(dot(a, a))
 
 
 def conjugate(a: Matrix) -> Matrix:
-    """Conjugate of a quaternion."""
+    """Return the conjugate of a quaternion."""
     return Matrix([a[0], -a[1], -a[2], -a[3]])
 
 
 def product(a: Matrix, b: Matrix) -> Matrix:
-    """Quaternion product a o b, so that R(a o b) = R(a) R(b)."""
+    """Return the quaternion product a o b, so that R(a o b) = R(a) R(b)."""
     return Matrix(
         [
             a[0] * b[0] - a[1] * b[1] - a[2] * b[2] - a[3] * b[3],
@@ -45,7 +45,7 @@ def product(a: Matrix, b: Matrix) -> Matrix:
 
 
 def triad(q: Matrix) -> tuple[Matrix, Matrix, Matrix]:
-    """The columns e_x, e_y, e_z of R(q), homogeneous quadratic in the quaternion q."""
+    """Return the columns e_x, e_y, e_z of R(q), homogeneous quadratic in the quaternion q."""
     q0, q1, q2, q3 = q
     return (
         Matrix([q0**2 + q1**2 - q2**2 - q3**2, 2 * (q1 * q2 + q0 * q3), 2 * (q1 * q3 - q0 * q2)]),
@@ -55,17 +55,17 @@ def triad(q: Matrix) -> tuple[Matrix, Matrix, Matrix]:
 
 
 def rotation_matrix(q: Matrix) -> Matrix:
-    """R(q), shape (3, 3)."""
+    """Return R(q), shape (3, 3)."""
     return Matrix.hstack(*triad(q))
 
 
 def components(axes: tuple[Matrix, Matrix, Matrix], a: Matrix) -> Matrix:
-    """Components of the column a on three axes."""
+    """Return the components of the column a on three axes."""
     return Matrix([dot(axis, a) for axis in axes])
 
 
 def combination(axes: tuple[Matrix, Matrix, Matrix], c: Matrix) -> Matrix:
-    """The column with components c on three axes."""
+    """Return the column with components c on three axes."""
     return Matrix([sum(axis[i] * c[j] for j, axis in enumerate(axes)) for i in range(3)])
 
 
@@ -74,17 +74,17 @@ def _vector_part(q: Matrix) -> Matrix:
 
 
 def angular_velocity(q: Matrix, qd: Matrix) -> Matrix:
-    """Angular velocity in global axes [rad/s], 2 (qd o conj q), vector part."""
+    """Return the angular velocity in global axes [rad/s]: the vector part of 2 (qd o conj q)."""
     return _vector_part(product(qd, conjugate(q)))
 
 
 def body_angular_velocity(q: Matrix, qd: Matrix) -> Matrix:
-    """Angular velocity in the axes of R(q) [rad/s], 2 (conj q o qd), vector part, = 2 L(q) qd."""
+    """Return the angular velocity in the axes of R(q) [rad/s]: the vector part of 2 (conj q o qd), = 2 L(q) qd."""
     return _vector_part(product(conjugate(q), qd))
 
 
 def triad_rate(q: Matrix, qd: Matrix) -> tuple[Matrix, Matrix, Matrix]:
-    """Rates of the columns of R(q): the derivative of the homogeneous quadratic along qd."""
+    """Return the rates of the columns of R(q): the derivative of the homogeneous quadratic along qd."""
     (a0, a1, a2, a3), (b0, b1, b2, b3) = q, qd
     d00, d11, d22, d33 = (2 * a0 * b0, 2 * a1 * b1, 2 * a2 * b2, 2 * a3 * b3)
     d12, d13, d23 = 2 * (a1 * b2 + a2 * b1), 2 * (a1 * b3 + a3 * b1), 2 * (a2 * b3 + a3 * b2)

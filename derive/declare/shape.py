@@ -19,9 +19,14 @@ _P = Symbol("P")
 HERMITE_MASS = Matrix([[156, 22, 54, -13], [22, 4, 13, -3], [54, 13, 156, -22], [-13, -3, -22, 4]]) / 420
 
 
+def shear_number(EI: Expr, GA: Expr, l0: Expr) -> Expr:
+    """Return the shear number P of a plane of bending; zero where the section does not shear."""
+    return 12 * EI / (GA * l0**2)
+
+
 @cache
 def rotary_gram() -> tuple[tuple[Expr, ...], ...]:
-    """Gram matrix of the section's rotation, times (1 + P)^2, as polynomials in P (symbol `P`).
+    """Return the Gram matrix of the section's rotation, times (1 + P)^2, as polynomials in P (symbol `P`).
 
     The rotation is [6 xi (1 - xi) c + (1 - 4 xi + 3 xi^2 + P (1 - xi)) w_p + (3 xi^2 - 2 xi + P xi) w_q]/(1 +
     P) with c the rate of the chord's direction and w_p, w_q the angular velocities of the ends (Timoshenko
@@ -37,12 +42,12 @@ def rotary_gram() -> tuple[tuple[Expr, ...], ...]:
 
 
 def _mean(polynomial: Expr) -> Expr:
-    """Integral over xi from 0 to 1, term by term: the general integration takes a second."""
+    """Integrate over xi from 0 to 1, term by term: the general integration takes a second."""
     return sum((c / (power + 1) for (power,), c in sp.Poly(polynomial, _XI).terms()), sp.Integer(0))
 
 
 def rotary_energy(shear: Expr, chord: Expr, wp: Expr, wq: Expr) -> Expr:
-    """Mean square of the section's angular velocity about one transverse axis, ``∫ w(xi)^2 dxi``.
+    """Return the mean square of the section's angular velocity about a transverse axis, ``∫ w(xi)^2 dxi``.
 
     Parameters
     ----------
@@ -61,12 +66,12 @@ def rotary_energy(shear: Expr, chord: Expr, wp: Expr, wq: Expr) -> Expr:
 
 
 def linear_energy(vp: Matrix, vq: Matrix) -> Expr:
-    """Mean square of a linearly interpolated vector, times 3: vp.vp + vp.vq + vq.vq."""
+    """Return the mean square of a linearly interpolated vector, times 3: vp.vp + vp.vq + vq.vq."""
     return dot(vp, vp) + dot(vp, vq) + dot(vq, vq)
 
 
 def hermite_energy(columns: tuple[Matrix, Matrix, Matrix, Matrix]) -> Expr:
-    """Mean square of a cubically interpolated vector given by (r_p, l0 r'_p, r_q, l0 r'_q)."""
+    """Return the mean square of a cubically interpolated vector given by (r_p, l0 r'_p, r_q, l0 r'_q)."""
     terms = []
     for i in range(4):
         terms.append(HERMITE_MASS[i, i] * dot(columns[i], columns[i]))
@@ -75,12 +80,12 @@ def hermite_energy(columns: tuple[Matrix, Matrix, Matrix, Matrix]) -> Expr:
 
 
 def hermite_mean(xp: Matrix, slope_p: Matrix, xq: Matrix, slope_q: Matrix) -> Matrix:
-    """Mean of a cubically interpolated vector; the slopes are multiplied by the length."""
+    """Return the mean of a cubically interpolated vector; the slopes are multiplied by the length."""
     return (xp + xq) / 2 + (slope_p - slope_q) * Rational(1, 12)
 
 
 def hermite_slopes(d: Matrix, slope_p: Matrix, slope_q: Matrix, l0: Expr, xi: Expr) -> tuple[Matrix, Matrix]:
-    """First and second derivative by arc length of a cubic curve from p to q = p + d, at the fraction xi of l0.
+    """Return the first two derivatives by arc length, at the fraction xi of l0, of a cubic curve from p to q = p + d.
 
     Parameters
     ----------
@@ -96,13 +101,23 @@ def hermite_slopes(d: Matrix, slope_p: Matrix, slope_q: Matrix, l0: Expr, xi: Ex
 
 
 def hermite_weights(xi: Expr, l0: Expr) -> tuple[Expr, Expr, Expr, Expr]:
-    """Factors of (r_p, r'_p, r_q, r'_q) in the position at the fraction xi of a cubic curve of length l0."""
+    """Return the factors of (r_p, r'_p, r_q, r'_q) in the position at the fraction xi of a cubic curve of length l0."""
     rest = 1 - xi
     return rest**2 * (1 + 2 * xi), l0 * xi * rest**2, xi**2 * (3 - 2 * xi), -l0 * xi**2 * rest
 
 
+def hermite_points(p: Matrix, slope_p: Matrix, q: Matrix, slope_q: Matrix, l0: Expr, places: int) -> Matrix:
+    """Return points (places, 3) at equal steps on a cubic curve of length l0, from its ends and slopes by length."""
+    rows = []
+    for i in range(places):
+        weights = hermite_weights(Rational(i, places - 1), l0)
+        columns = zip(weights, (p, slope_p, q, slope_q), strict=True)
+        rows.append(sum((weight * column for weight, column in columns), sp.zeros(*p.shape)).T)
+    return Matrix.vstack(*rows)
+
+
 @cache
 def gauss_points(count: int) -> tuple[Expr, ...]:
-    """Places of Gauss's quadrature on (0, 1), ascending, to 50 digits."""
+    """Return the points of Gauss's quadrature on (0, 1), ascending, to 50 digits."""
     places, _ = gauss_legendre(count, 50)
     return tuple((1 + place) / 2 for place in places)

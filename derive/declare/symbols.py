@@ -4,7 +4,7 @@ from sympy import Symbol
 
 
 def symbol(name: str) -> Symbol:
-    """Real symbol, the only kind used in elements and laws (equal names are equal symbols)."""
+    """Return a real symbol, the only kind used in elements and laws (equal names are equal symbols)."""
     return Symbol(name, real=True)
 
 

@@ -12,9 +12,9 @@ import sympy as sp
 from sympy import Expr, Symbol
 
 from flexel.derive.declare.checks import check_symbols
-from flexel.derive.declare.modes import Deformation
-from flexel.derive.declare.parameters import Parameter
-from flexel.derive.errors import ElementError
+from flexel.derive.declare.constants import Parameter
+from flexel.derive.declare.deformations import Deformation
+from flexel.derive.definition_errors import ElementError
 
 Lets = tuple[tuple[Symbol, Expr], ...]
 _ANGLE = Symbol("angle", real=True)
@@ -49,7 +49,7 @@ def check_period(owner: str, d: Deformation, let: Lets, parameters: tuple[Parame
 
 
 def period_terms(d: Deformation, parameters: tuple[Parameter, ...]) -> tuple[Term, ...]:
-    """The period as a sum: the number of each term, and the powers (parameter, component, exponent) beside it.
+    """Return the period as a sum: the number of each term, with its powers (parameter, component, exponent).
 
     Raises
     ------
@@ -77,7 +77,7 @@ def period_terms(d: Deformation, parameters: tuple[Parameter, ...]) -> tuple[Ter
 
 
 def _angles(expr: Expr, let: Lets) -> Iterator[tuple[Expr, Lets]]:
-    """Every atan2 on which a formula depends, with the named intermediates."""
+    """Yield every atan2 on which a formula depends, with the named intermediates."""
     needed, found = set(expr.free_symbols), expr.atoms(sp.atan2)
     for s, value in reversed(let):
         if s in needed:
@@ -103,7 +103,7 @@ def _never_negative(expr: Expr, let: Mapping[Symbol, Expr]) -> bool:
 
 
 def _jumps(d: Deformation, angle: Expr, let: Lets) -> Iterator[tuple[Expr, Expr]]:
-    """Jumps of a deformation for a turn of the angle, and its periods, at random values of all symbols."""
+    """Yield the jumps of a deformation for a turn of the angle, and its periods, at random values of all symbols."""
     draw = random.Random(1)
     formulas = (d.expr, sp.sympify(d.period or 0), *(value for _, value in let))
     symbols = {s for expr in formulas for s in expr.free_symbols}
@@ -111,13 +111,13 @@ def _jumps(d: Deformation, angle: Expr, let: Lets) -> Iterator[tuple[Expr, Expr]
     for _ in range(_POINTS):
         values = {s: sp.Float(draw.uniform(0.5, 1.5), _DIGITS) for s in plain}
         start = sp.Float(draw.uniform(-3, 0), _DIGITS)
-        ends = [_value(d.expr, angle, let, {**values, _ANGLE: z}) for z in (start, start + 2 * sp.pi)]
-        if all(z.is_number and z.is_finite for z in ends):
+        ends = [_value(d.expr, angle, let, {**values, _ANGLE: end}) for end in (start, start + 2 * sp.pi)]
+        if all(limit.is_number and limit.is_finite for limit in ends):
             yield ends[1] - ends[0], sp.sympify(d.period or 0).subs(values).evalf(_DIGITS)
 
 
 def _value(expr: Expr, angle: Expr, let: Lets, values: Mapping[Symbol, Expr]) -> Expr:
-    """A formula in numbers, with one for the angle; intermediates are computed one after another."""
+    """Evaluate a formula in numbers, with one for the angle; intermediates are computed one after another."""
     known = dict(values)
     for s, value in let:
         known[s] = value.xreplace({angle: _ANGLE}).xreplace(known).evalf(_DIGITS)

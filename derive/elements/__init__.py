@@ -32,7 +32,7 @@ from flexel.derive.elements.rope_contact import (
     CABLE_ROUND_GROOVE,
     CABLE_V_GROOVE,
 )
-from flexel.derive.elements.rotary_inertia import PLANAR_ROTARY_INERTIA, ROTARY_INERTIA
+from flexel.derive.elements.rotary_inertia import PLANAR_ROTARY_INERTIA, ROTARY_INERTIA, WARPING_INERTIA
 from flexel.derive.elements.rotation_slips import BODY_ROTATION, ROTATION
 from flexel.derive.elements.skate import PLANAR_SKATE, SKATE
 from flexel.derive.elements.slope_clamp import PLANAR_SLOPE_CLAMP, SLOPE_CLAMP
@@ -53,6 +53,7 @@ ELEMENTS: tuple[Element, ...] = (
     POINT_MASS,
     BODY,
     ROTARY_INERTIA,
+    WARPING_INERTIA,
     NORM,
     TRUSS,
     HINGE,

@@ -11,7 +11,7 @@ from sympy import Expr, Matrix, Rational
 from flexel.derive.declare import Let, Node
 from flexel.derive.declare.rotation import dot
 from flexel.derive.declare.shape import hermite_weights
-from flexel.derive.elements.parameters import L0
+from flexel.derive.elements.shared_parameters import L0
 
 ARC_POINT = (
     "x: point at the fraction xi of the cubic curve through p and q with the slopes h dp and h dq,\n"
@@ -20,7 +20,7 @@ ARC_POINT = (
 
 
 def arc_point(let: Let, nodes: tuple[Node, Node, Node, Node], xi: Expr) -> tuple[Matrix, Matrix]:
-    """Position x of the point at the fraction xi of the cable p, dp, q, dq, and its rate."""
+    """Return the position x of the point at the fraction xi of the cable p, dp, q, dq, and its rate."""
     p, dp, q, dq = nodes
     weights = [let.scalar(f"n{i}", w) for i, w in enumerate(hermite_weights(xi, L0.symbol))]
     turn = let.vector("turn", dq.x - dp.x)

@@ -2,13 +2,14 @@
 
 from collections.abc import Callable
 
-from sympy import Expr, Matrix, Rational
+from sympy import Expr, Matrix, Rational, Symbol
 
 from flexel.derive.declare import Deformation, Element, Frame, Let, Node, Point
 from flexel.derive.declare.rotation import HALF, body_angular_velocity, dot, norm, product, triad_rate
-from flexel.derive.declare.shape import hermite_energy, hermite_mean, rotary_energy
+from flexel.derive.declare.shape import hermite_energy, hermite_mean, rotary_energy, shear_number
 from flexel.derive.declare.symbols import symbol
-from flexel.derive.elements.parameters import GRAVITY, L0, PHI_Y, PHI_Z, RHOA, RHOJ, TP, TQ
+from flexel.derive.elements.section_outputs import axis, section_forces, shear_angle
+from flexel.derive.elements.shared_parameters import EIY, EIZ, GAY, GAZ, GRAVITY, L0, RHOA, RHOJ, TP, TQ
 from flexel.derive.elements.triads import Triad, named_quaternion, named_triad
 
 FIRST = """\
@@ -23,10 +24,18 @@ torsion = b2 + (b4 b5 - b3 b6)/l0
 bend1, bend2 = b3 + k, b4 - k with k = b2 (b5 + b6)/(6 l0)
 bend3, bend4 = b5 - h, b6 + h with h = b2 (b3 + b4)/(6 l0)"""
 _NO_SECOND = "\nelongation, torsion, bend1, bend2, bend3, bend4 = b1, b2, b3, b4, b5, b6"
-_ENERGY = """
+SHEAR = """
+phi_y = 12 EIz/(GAy l0^2), phi_z = 12 EIy/(GAz l0^2): shear numbers of the deflections in y and z"""
+_ENERGY = f"""{SHEAR}
 T: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with
    the shear-corrected (phi_y, phi_z) cubic shapes, torsion linear; w_p, w_q angular velocities in the triads
 U = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)"""
+FORCES = """
+f = De'sigma: force_p, moment_p = -(R(u_p)'f_xp, L(u_p) (f_lambda_p o tp)/2), force_q, moment_q the same at q, without
+   the minus
+axis: places on the cubic axis; across: ey_p, ey_q"""
+ANGLE = """
+shear_angle = |(phi_z/(1 + phi_z) (bend1 - bend2), phi_y/(1 + phi_y) (bend3 - bend4))|/(2 l0)"""
 
 BENDS = (
     ("bend1", "bend_y"),
@@ -40,7 +49,7 @@ LENGTH = symbol("l")  # distance of the ends, named by `first_order`
 
 
 def first_order(let: Let, p: Node, q: Node, tp: Triad, tq: Triad) -> list[Expr]:
-    """The six deformations without second-order terms, named b1 ... b6."""
+    """Return the six deformations without second-order terms, named b1 ... b6."""
     l0 = L0.symbol
     d = let.vector("d", q.x - p.x)
     length = let.scalar(LENGTH.name, norm(d))
@@ -56,14 +65,21 @@ def first_order(let: Let, p: Node, q: Node, tp: Triad, tq: Triad) -> list[Expr]:
     return [let.scalar(f"b{i + 1}", value) for i, value in enumerate(b)]
 
 
+def shear_numbers(let: Let) -> tuple[Symbol, Symbol]:
+    """Return the shear numbers of the deflections in y and z, named ``phi_y`` and ``phi_z``."""
+    pairs = (("phi_y", EIZ, GAY), ("phi_z", EIY, GAZ))
+    phi_y, phi_z = (let.scalar(name, shear_number(EI.symbol, GA.symbol, L0.symbol)) for name, EI, GA in pairs)
+    return phi_y, phi_z
+
+
 def deformations(e: list[Expr]) -> tuple[Deformation, ...]:
-    """The six deformations with their names, from their expressions."""
+    """Return the six deformations with their names, from their expressions."""
     kinds = (("elongation", ""), ("torsion", "twist"), *BENDS)
     return tuple(Deformation(name, "m", expr, kind=kind) for (name, kind), expr in zip(kinds, e, strict=True))
 
 
 def second_order(b: list[Expr], l0: Expr) -> list[Expr]:
-    """Deformations to second order from those of first order.
+    """Return the deformations to second order from those of first order.
 
     The coefficients follow from the exact energy of a rod expanded to third order (unique solution); Meijaard
     1996, Jonker and Meijaard 2013.
@@ -76,7 +92,7 @@ def second_order(b: list[Expr], l0: Expr) -> list[Expr]:
 
 
 def _linear_spin(wp: Expr, wq: Expr) -> Expr:
-    """Rotary energy of the twist over l0/2, linear between the ends' angular velocities about the axis."""
+    """Return the rotary energy of the twist over l0/2, linear between the ends' angular velocities about the axis."""
     return RHOJ.symbols[0] * (wp**2 + wp * wq + wq**2) * Rational(1, 3)
 
 
@@ -86,9 +102,18 @@ def kinetic_energy(
     us: tuple[Matrix, ...],
     tp: Triad,
     tq: Triad,
+    shear: tuple[Expr, Expr],
     spin: Callable[[Expr, Expr], Expr] = _linear_spin,
 ) -> Expr:
-    """Kinetic energy of the cubic axis and of the sections' rotation; `spin` gives the part of the twist."""
+    """Return the kinetic energy of the cubic axis and of the sections' rotation.
+
+    Parameters
+    ----------
+    shear : tuple of Expr
+        Shear numbers of the deflections in y and z.
+    spin : callable
+        Gives the part of the twist from the rates of the ends' angles about the axis.
+    """
     p, rp, q, rq = nodes
     l0 = L0.symbol
     uds = product(rp.v, TP.vector), product(rq.v, TQ.vector)
@@ -104,8 +129,8 @@ def kinetic_energy(
     translation = hermite_energy((p.v, l0 * exd_p, q.v, l0 * exd_q))
     rotation = (
         spin(wp[0], wq[0])
-        + jy * rotary_energy(PHI_Z.symbol, let.scalar("chord_about_y", about_y), wp[1], wq[1])
-        + jz * rotary_energy(PHI_Y.symbol, let.scalar("chord_about_z", about_z), wp[2], wq[2])
+        + jy * rotary_energy(shear[1], let.scalar("chord_about_y", about_y), wp[1], wq[1])
+        + jz * rotary_energy(shear[0], let.scalar("chord_about_z", about_z), wp[2], wq[2])
     )
     return HALF * l0 * (RHOA.symbol * translation + rotation)
 
@@ -119,7 +144,8 @@ def _beam(name: str, second: bool) -> Element:
     e = first_order(let, p, q, tp, tq)
     if second:
         e = second_order(e, l0)
-    energy = kinetic_energy(let, nodes, us, tp, tq)
+    modes, (phi_y, phi_z) = deformations(e), shear_numbers(let)
+    energy = kinetic_energy(let, nodes, us, tp, tq, (phi_y, phi_z))
     centre = hermite_mean(p.x, l0 * tp[0], q.x, l0 * tq[0])
     return Element(
         name=name,
@@ -127,14 +153,19 @@ def _beam(name: str, second: bool) -> Element:
         picture="beam",
         span="beam_span",
         nodes=nodes,
-        parameters=(L0, TP, TQ, RHOA, RHOJ, PHI_Y, PHI_Z, GRAVITY),
+        parameters=(L0, TP, TQ, RHOA, RHOJ, EIY, EIZ, GAY, GAZ, GRAVITY),
         let=let.entries,
-        deformations=deformations(e),
+        deformations=modes,
         kinetic_energy=energy,
         potential=-RHOA.symbol * l0 * dot(GRAVITY.vector, centre),
-        doc=FIRST + (_SECOND if second else _NO_SECOND) + _ENERGY,
+        doc=FIRST + (_SECOND if second else _NO_SECOND) + _ENERGY + FORCES + ANGLE,
         source="Meijaard 1996, Nonlinear Dyn. 9; Jonker and Meijaard 2013, Int. J. Non-Linear Mech. 53; "
         "Przemieniecki 1968 (mass with rotary inertia)",
+        outputs=(
+            *section_forces(nodes, us, (tp, tq)),
+            shear_angle(modes, {"bend_y": phi_z, "bend_z": phi_y}),
+            *axis(p, q, (tp, tq)),
+        ),
     )
 
 

@@ -3,7 +3,8 @@
 from flexel.derive.declare import Deformation, Element, Frame, Let, Point
 from flexel.derive.declare.rotation import HALF, body_angular_velocity, components, dot, product
 from flexel.derive.declare.shape import linear_energy
-from flexel.derive.elements.parameters import D0, GRAVITY, L0, RHOA, RHOJ, TP
+from flexel.derive.elements.picture_outputs import LINK_DOC, axes, displacement
+from flexel.derive.elements.shared_parameters import D0, GRAVITY, L0, RHOA, RHOJ, TP
 from flexel.derive.elements.triads import named_quaternion, named_triad
 
 
@@ -13,7 +14,8 @@ def _beam3() -> Element:
     let = Let()
     u = named_quaternion(let, rp, TP, "p")
     d = let.vector("d", q.x - p.x)
-    relative = components(named_triad(let, u, "p"), d) - D0.vector
+    triad = named_triad(let, u, "p")
+    relative = components(triad, d) - D0.vector
     w = let.vector("w_p", body_angular_velocity(u, product(rp.v, TP.vector)))
     rotary = sum(j * w[i] ** 2 for i, j in enumerate(RHOJ.symbols))
     return Element(
@@ -36,9 +38,10 @@ def _beam3() -> Element:
             "(along, across1, across2) = R(u_p)' d - d0\n"
             "w_p = angular velocity of the triad, in its own axes\n"
             "T = rhoA l0/6 (vp.vp + vp.vq + vq.vq) + l0/2 sum rhoJ_i w_i^2, uniform bar\n"
-            "U = -rhoA l0 gravity.(xp + xq)/2"
+            "U = -rhoA l0 gravity.(xp + xq)/2" + LINK_DOC
         ),
         source="Meijaard, Papadopoulos, Ruina and Schwab 2007, supplement, PINBODY; UT SPACAR, RBEAM",
+        outputs=(axes(*triad), displacement(relative)),
     )
 
 

@@ -6,14 +6,15 @@ from flexel.derive.declare import Deformation, Element, Frame, Let, Node, Point
 from flexel.derive.declare.logarithm import rotation_vector, turned_back
 from flexel.derive.declare.rotation import HALF, components, conjugate, cross, dot, norm, product
 from flexel.derive.declare.shape import hermite_mean
-from flexel.derive.elements.beam import LENGTH, kinetic_energy
-from flexel.derive.elements.parameters import GRAVITY, L0, PHI_Y, PHI_Z, RHOA, RHOJ, TP, TQ
+from flexel.derive.elements.beam import FORCES, LENGTH, SHEAR, kinetic_energy, shear_numbers
 from flexel.derive.elements.rod import bow_stretch, shortening
+from flexel.derive.elements.section_outputs import axis, section_forces
+from flexel.derive.elements.shared_parameters import EIY, EIZ, GAY, GAZ, GRAVITY, L0, RHOA, RHOJ, TP, TQ
 from flexel.derive.elements.triads import Triad, named_quaternion, named_triad
 
-_DOC = """\
+_DOC = f"""\
 triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq
-turn: rotation vector of R(u_p)'R(u_q), below half a turn; R_m = R(u_p) exp(turn/2), the triad halfway
+turn: rotation vector of R(u_p)'R(u_q), below half a turn; R_m = R(u_p) exp(turn/2), the triad halfway{SHEAR}
 s = 1/24 - turn.turn/1920 + (turn.turn)^2/322560
 straight = R_m'(xq - xp) - l0 s turn x (turn x (1, 0, 0)): the chord without what uniform strains do to it
 bow_z = straight_y/(phi_y l0 + |straight|),  bow_y = -straight_z/(phi_z l0 + |straight|):
@@ -37,13 +38,15 @@ _MODES = (
 )  # names and kinds
 
 
-def _deformations(let: Let, p: Node, q: Node, us: tuple[Matrix, Matrix], tp: Triad) -> list[Expr]:
-    """The six deformations: those of a rod to second order, exact where its strains are uniform.
+def _deformations(
+    let: Let, p: Node, q: Node, us: tuple[Matrix, Matrix], tp: Triad, shear: tuple[Expr, Expr]
+) -> list[Expr]:
+    """Return the six deformations of a rod to second order, exact where its strains are uniform.
 
     The second-order terms are those for which the energy is that of a rod with linear bending moments, constant
     shear forces and a constant torque to third order, as in the classic beam, with shear.
     """
-    l0, shear_y, shear_z = L0.symbol, PHI_Y.symbol, PHI_Z.symbol
+    l0, (shear_y, shear_z) = L0.symbol, shear
     turn, half, square = rotation_vector(let, let.vector("r", product(conjugate(us[0]), us[1])))
     chord = let.vector("d", q.x - p.x)
     let.scalar(LENGTH.name, norm(chord))  # of the kinetic energy
@@ -72,8 +75,9 @@ def _beam_logarithmic() -> Element:
     let = Let()
     us = named_quaternion(let, rp, TP, "p"), named_quaternion(let, rq, TQ, "q")
     tp, tq = named_triad(let, us[0], "p"), named_triad(let, us[1], "q")
-    e = _deformations(let, p, q, us, tp)
-    energy = kinetic_energy(let, nodes, us, tp, tq)
+    shear = shear_numbers(let)
+    e = _deformations(let, p, q, us, tp, shear)
+    energy = kinetic_energy(let, nodes, us, tp, tq, shear)
     centre = hermite_mean(p.x, l0 * tp[0], q.x, l0 * tq[0])
     return Element(
         name="beam_logarithmic",
@@ -81,15 +85,16 @@ def _beam_logarithmic() -> Element:
         picture="beam",
         span="beam_span",
         nodes=nodes,
-        parameters=(L0, TP, TQ, RHOA, RHOJ, PHI_Y, PHI_Z, GRAVITY),
+        parameters=(L0, TP, TQ, RHOA, RHOJ, EIY, EIZ, GAY, GAZ, GRAVITY),
         let=let.entries,
         deformations=tuple(
             Deformation(name, "m", expr, kind=kind) for (name, kind), expr in zip(_MODES, e, strict=True)
         ),
         kinetic_energy=energy,
         potential=-RHOA.symbol * l0 * dot(GRAVITY.vector, centre),
-        doc=_DOC,
+        doc=_DOC + FORCES,
         source="Simo 1985, Comput. Methods Appl. Mech. Eng. 49 (strains of a rod); Crisfield 1990 (triad halfway)",
+        outputs=(*section_forces(nodes, us, (tp, tq)), *axis(p, q, (tp, tq))),
     )
 
 

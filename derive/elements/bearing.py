@@ -3,7 +3,8 @@
 from flexel.derive.declare import Deformation, Element, Frame, Let, Point
 from flexel.derive.declare.rotation import components
 from flexel.derive.elements.hinge import HINGE_DOC, hinge_deformations
-from flexel.derive.elements.parameters import D0, TP, TQ
+from flexel.derive.elements.picture_outputs import LINK_DOC, axes, displacement
+from flexel.derive.elements.shared_parameters import D0, TP, TQ
 from flexel.derive.elements.triads import named_quaternion, named_triad
 
 
@@ -28,8 +29,9 @@ def _bearing() -> Element:
             Deformation("radial1", "m", relative[1]),
             Deformation("radial2", "m", relative[2]),
         ),
-        doc=HINGE_DOC + "\nd = xq - xp\n(axial, radial1, radial2) = R(u_p)' d - d0",
+        doc=HINGE_DOC + "\nd = xq - xp\n(axial, radial1, radial2) = R(u_p)' d - d0" + LINK_DOC,
         source="SPACAR95 manual (Schwab and Meijaard 2000), BEARING",
+        outputs=(axes(*triads[0]), displacement(relative)),
     )
 
 

@@ -2,9 +2,10 @@
 
 from sympy import Matrix
 
-from flexel.derive.declare import Element, Frame, Let, Parameter, Point
+from flexel.derive.declare import Element, Frame, Let, Output, Parameter, Point
 from flexel.derive.declare.rotation import HALF, body_angular_velocity, combination, dot, triad, triad_rate
-from flexel.derive.elements.parameters import GRAVITY, MASS
+from flexel.derive.elements.picture_outputs import FRAME_DOC, frame
+from flexel.derive.elements.shared_parameters import GRAVITY, MASS
 
 
 def _point_mass() -> Element:
@@ -13,13 +14,13 @@ def _point_mass() -> Element:
     return Element(
         name="point_mass",
         family="body",
-        picture="mass",
         nodes=(p,),
         parameters=(MASS, GRAVITY),
         kinetic_energy=HALF * mass * dot(p.v, p.v),
         potential=-mass * dot(g, p.x),
-        doc="T = mass v.v/2\nU = -mass gravity.x",
+        doc="T = mass v.v/2\nU = -mass gravity.x\nplace: x",
         source="textbook mechanics",
+        outputs=(Output("place", "m", p.x, draws="mass"),),
     )
 
 
@@ -39,6 +40,7 @@ def _body() -> Element:
     let = Let()
     w = let.vector("w", body_angular_velocity(r.x, r.v))
     vc = let.vector("vc", p.v + combination(triad_rate(r.x, r.v), offset.vector))
+    centre = p.x + combination(triad(r.x), offset.vector)
     return Element(
         name="body",
         family="body",
@@ -47,14 +49,16 @@ def _body() -> Element:
         parameters=(MASS, offset, tensor, GRAVITY),
         let=let.entries,
         kinetic_energy=HALF * (mass * dot(vc, vc) + dot(w, inertia * w)),
-        potential=-mass * dot(g, p.x + combination(triad(r.x), offset.vector)),
+        potential=-mass * dot(g, centre),
         doc=(
             "vc = xdot + d(R(lambda) c)/dt, velocity of the mass centre\n"
             "w = 2 (conj(lambda) o lambdadot), angular velocity in body axes\n"
             "T = mass vc.vc/2 + w.J w/2\n"
-            "U = -mass gravity.(x + R(lambda) c)"
+            "U = -mass gravity.(x + R(lambda) c)\n"
+            "centre: x + R(lambda) c" + FRAME_DOC.format(origin="x", axes="columns of R(lambda)")
         ),
         source="Schwab and Meijaard 2006, DETC2006-99307",
+        outputs=(Output("centre", "m", centre, draws="mass"), *frame(p.x, *triad(r.x))),
     )
 
 

@@ -7,7 +7,7 @@ from flexel.derive.declare.rotation import dot, triad
 
 
 def _slips(components: list[object]) -> tuple[Slip, ...]:
-    return tuple(Slip(f"v{z}", "m/s", c, free=True) for z, c in zip("xyz", components, strict=False))
+    return tuple(Slip(f"v{axis}", "m/s", c, free=True) for axis, c in zip("xyz", components, strict=False))
 
 
 def _body_velocity() -> Element:

@@ -13,8 +13,18 @@ from dataclasses import dataclass, replace
 
 from sympy import Expr, Matrix, Piecewise, atan2, cos, pi, sin, sqrt
 
-from flexel.derive.declare import Deformation, Let, Node, Parameter, Slip
-from flexel.derive.declare.rotation import body_angular_velocity, components, cross, dot, norm, product, triad
+from flexel.derive.declare import Deformation, Let, Node, Output, Parameter, Slip
+from flexel.derive.declare.rotation import (
+    body_angular_velocity,
+    combination,
+    components,
+    cross,
+    dot,
+    norm,
+    product,
+    triad,
+)
+from flexel.derive.elements.picture_outputs import force, frame
 
 T = Parameter("t", 4, "1", "unit quaternion from the body frame to the surface's triad ex, ey, ez")
 OFFSET = Parameter("offset", 3, "m", "origin of the surface from the node c, on its triad", ("x", "y", "z"))
@@ -37,11 +47,13 @@ ROLLING = (
     "less by sphere_radius turn.(n x d), n the normal to the sphere: that of the sphere's material point in contact\n"
     "(in a V groove it has two, with tangential1 and tangential2)\n"
 )
+DRAWN = "\nplace: x, force: on what touches, origin: of the surface, in global axes;  axes: its directions in rows"
+BALL = "\naxes_ball: axes of the body of what touches, in rows"
 Modes = tuple[tuple[Deformation, ...], tuple[Slip, ...]]
 
 
 def gap(expr: Expr, name: str = "gap", kinked: bool = False) -> Deformation:
-    """The mode of a gap, free by default."""
+    """Return the mode of a gap, free by default."""
     return Deformation(name, "m", expr, free=True, kind="gap", kinked=kinked)
 
 
@@ -64,7 +76,7 @@ class Touching:
     spin: Matrix | None = None
 
     def slip(self, name: str, velocity: Expr, axis: Sequence[Expr]) -> Slip:
-        """The mode of sliding along a direction d.
+        """Return the mode of sliding along a direction d.
 
         Parameters
         ----------
@@ -81,7 +93,7 @@ class Touching:
 def seen(
     let: Let, body: tuple[Node, Node], x: Matrix, xd: Matrix, radius: Expr, turning: Matrix | None = None
 ) -> Touching:
-    """What has its centre at x, as seen from a surface on a body (c, r).
+    """Return the touching object with its centre at x, as seen from a surface on a body (c, r).
 
     Parameters
     ----------
@@ -98,17 +110,34 @@ def seen(
     d, rate = let.vector("d", x - c.x), let.vector("dd", xd - c.v)
     u = let.vector("u", product(r.x, T.vector))
     omega = let.vector("omega", body_angular_velocity(u, product(r.v, T.vector)))
-    axes = triad(u)
-    axes = (let.vector("ex", axes[0]), let.vector("ey", axes[1]), let.vector("ez", axes[2]))
-    arm = let.vector("arm", components(axes, d))
+    columns = triad(u)
+    e = (let.vector("ex", columns[0]), let.vector("ey", columns[1]), let.vector("ez", columns[2]))
+    arm = let.vector("arm", components(e, d))
     y = let.vector("y", arm - OFFSET.vector)
-    yd = let.vector("yd", components(axes, rate) - cross(omega, arm))
-    spin = None if turning is None else let.vector("turn", components(axes, turning) - omega)
+    yd = let.vector("yd", components(e, rate) - cross(omega, arm))
+    spin = None if turning is None else let.vector("turn", components(e, turning) - omega)
     return Touching(y, yd, radius, spin)
 
 
+def contact_outputs(body: tuple[Node, Node], x: Matrix, points: Sequence[Node]) -> tuple[Output, ...]:
+    """Return the position of the touching object, the force on it, and where the surface is.
+
+    Parameters
+    ----------
+    body : (Node, Node)
+        Point and frame of the body with the surface.
+    x : Matrix (3, 1)
+    points : sequence of Node
+        Those of what touches.
+    """
+    c, r = body
+    columns = triad(product(r.x, T.vector))
+    origin = c.x + combination(columns, OFFSET.vector)
+    return Output("place", "m", x), force(*points), *frame(origin, *columns)
+
+
 @dataclass(frozen=True)
-class Surface:
+class SurfaceKind:
     """A surface: its name, parameters, modes, and their description with `a` for what touches it."""
 
     name: str
@@ -118,7 +147,7 @@ class Surface:
 
 
 def _around(let: Let, b: Touching) -> tuple[Expr, Expr, Expr, Matrix]:
-    """Distance from the axle ex, its rate, the velocity around it, and the radial direction."""
+    """Return the distance from the axle ex, its rate, the velocity around it, and the radial direction."""
     distance = let.scalar("distance", norm(Matrix(b.y[1:])))
     ny, nz = let.scalar("ny", b.y[1] / distance), let.scalar("nz", b.y[2] / distance)
     radial, around = ny * b.yd[1] + nz * b.yd[2], ny * b.yd[2] - nz * b.yd[1]
@@ -137,7 +166,7 @@ def _plane(let: Let, b: Touching) -> Modes:  # noqa: ARG001 (a surface is a func
 
 
 def _v_groove(let: Let, b: Touching) -> Modes:
-    """What turns slides differently on the two flanks, also around the axle."""
+    """Return gap and slips of a V-groove; what turns slides differently on the two flanks, also around the axle."""
     s, c = FLANK.vector
     distance, radial, around, (_, ny, nz) = _around(let, b)
     height = let.scalar("height", s * (distance - RADIUS.symbol - b.radius))
@@ -153,7 +182,7 @@ def _v_groove(let: Let, b: Touching) -> Modes:
 
 
 def _round_groove(let: Let, b: Touching) -> Modes:
-    """The normal (n_r, n_x) points into the wall: along w on the round bottom, constant on a flank.
+    """Return gap and slips; the normal (n_r, n_x) points into the wall: along w on the bottom, constant on a flank.
 
     Outside the groove, in the middle between its flanks, the gap has a kink.
     """
@@ -177,7 +206,7 @@ def _round_groove(let: Let, b: Touching) -> Modes:
 
 
 def _helical_groove(let: Let, b: Touching) -> Modes:
-    """The round groove, with the distance from the nearest turn in place of the axial coordinate; for ropes.
+    """Return gap and slips of the round groove, axially measured from the nearest turn; for ropes.
 
     The profile is that perpendicular to the groove: the gradient of the gap has the length one at the rope's centre,
     and its force is normal to the groove.  The angle atan2 jumps on the ridges; the gap is the same on both sides.
@@ -199,20 +228,20 @@ def _helical_groove(let: Let, b: Touching) -> Modes:
 
 
 SURFACES = (
-    Surface(
+    SurfaceKind(
         "cylinder",
         (RADIUS,),
         _cylinder,
         "distance = |(yy, yz)| from the axle ex, (ny, nz) = (yy, yz)/distance\n"
         "gap = distance - radius - {a},  tangential = ny ydot_z - nz ydot_y,  axial = ydot_x",
     ),
-    Surface(
+    SurfaceKind(
         "plane",
         (),
         _plane,
         "gap = yz - {a}, the plane is z = 0;  x = ydot_x,  y = ydot_y",
     ),
-    Surface(
+    SurfaceKind(
         "v_groove",
         (RADIUS, FLANK),
         _v_groove,
@@ -220,7 +249,7 @@ SURFACES = (
         "gap1 = h sin beta - yx cos beta,  gap2 = h sin beta + yx cos beta: both closed at h = 0 in the middle\n"
         "tangential as for a cylinder,  across1, across2 = hdot cos beta +- ydot_x sin beta, up the flanks",
     ),
-    Surface(
+    SurfaceKind(
         "round_groove",
         (RADIUS, GROOVE_RADIUS, FLANK),
         _round_groove,
@@ -230,7 +259,7 @@ SURFACES = (
         "across = n_0 ydot_x + n_1 distancedot, along the groove's profile",
     ),
 )
-HELICAL_GROOVE = Surface(
+HELICAL_GROOVE = SurfaceKind(
     "helical_groove",
     (RADIUS, LEAD, GROOVE_RADIUS, FLANK),
     _helical_groove,

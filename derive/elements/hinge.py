@@ -4,7 +4,8 @@ from sympy import Matrix, atan2, pi
 
 from flexel.derive.declare import Deformation, Element, Frame, Let
 from flexel.derive.declare.rotation import conjugate, dot, product
-from flexel.derive.elements.parameters import TP, TQ
+from flexel.derive.elements.picture_outputs import axes
+from flexel.derive.elements.shared_parameters import TP, TQ
 from flexel.derive.elements.triads import Triad, named_quaternion, named_triad
 
 HINGE_DOC = (
@@ -16,7 +17,7 @@ HINGE_DOC = (
 
 
 def hinge_deformations(let: Let, u_p: Matrix, u_q: Matrix, p: Triad, q: Triad) -> tuple[Deformation, ...]:
-    """Angle about e_x and the two bendings of a hinge.
+    """Return the angle about e_x and the two bendings of a hinge.
 
     Parameters
     ----------
@@ -50,8 +51,9 @@ def _hinge() -> Element:
         parameters=(TP, TQ),
         let=let.entries,
         deformations=deformations,
-        doc=HINGE_DOC,
+        doc=HINGE_DOC + "\naxes: ex_p, ey_p, ez_p in rows",
         source="van der Werff and Jonker 1984; SPACAR95 manual (Schwab and Meijaard 2000), HINGE",
+        outputs=(axes(*triads[0]),),
     )
 
 

@@ -1,9 +1,10 @@
 """Belt between two pulleys in the plane: one of its straight parts."""
 
-from sympy import atan2, pi, sqrt
+from sympy import Matrix, atan2, pi, sqrt
 
-from flexel.derive.declare import Deformation, Element, Let, Parameter, PlanarAngle, PlanarPoint
+from flexel.derive.declare import Deformation, Element, Let, Output, Parameter, PlanarAngle, PlanarPoint
 from flexel.derive.declare.rotation import dot
+from flexel.derive.elements.picture_outputs import WHEELS_DOC, frame, planar_axes
 from flexel.derive.elements.triads import line_angle
 
 RADIUS_P = Parameter(
@@ -24,6 +25,8 @@ def _planar_belt() -> Element:
     free = let.scalar("free_length", sqrt(dot(d, d) - step**2))
     psi = let.scalar("psi", line_angle(let, d, PSI0.symbol))
     theta = let.scalar("theta", psi - atan2(step, free))
+    left = Matrix([step * d[0] - free * d[1], free * d[0] + step * d[1]]) / dot(d, d)
+    ends = p.x + RADIUS_P.symbol * left, q.x + RADIUS_Q.symbol * left
     wound = RADIUS_P.symbol * (rp.x[0] - theta) - RADIUS_Q.symbol * (rq.x[0] - theta)
     return Element(
         name="planar_belt",
@@ -45,10 +48,17 @@ def _planar_belt() -> Element:
             "free_length = sqrt(d.d - (radius_p - radius_q)^2), of the common tangent on the left of d\n"
             "theta = psi - atan2(radius_p - radius_q, free_length), turn of the points of contact\n"
             "elongation = free_length + radius_p (angle_p - theta) - radius_q (angle_q - theta) - zero,\n"
-            "period 2 pi (radius_p - radius_q): a turn of the line of centres, whose angle is a principal value"
+            "period 2 pi (radius_p - radius_q): a turn of the line of centres, whose angle is a principal value\n"
+            "run: from xp + radius_p left to xq + radius_q left, left the normal of the common tangent"
+            + WHEELS_DOC
         ),
         source="SPACAR95 manual (Schwab and Meijaard 2000), PLBELT; terms in theta from the geometry: without "
         "them the tension would not act along the belt",
+        outputs=(
+            Output("run", "m", Matrix.hstack(*ends).T, draws="bar"),
+            *frame(p.x, *planar_axes(rp.x[0]), of="_p"),
+            *frame(q.x, *planar_axes(rq.x[0]), of="_q"),
+        ),
     )
 
 

@@ -2,9 +2,10 @@
 
 from sympy import Matrix, cos, sin
 
-from flexel.derive.declare import Element, Let, Parameter, PlanarAngle, PlanarPoint
+from flexel.derive.declare import Element, Let, Output, Parameter, PlanarAngle, PlanarPoint
 from flexel.derive.declare.rotation import HALF, dot
-from flexel.derive.elements.parameters import MASS, PLANAR_GRAVITY
+from flexel.derive.elements.picture_outputs import FRAME_DOC, frame
+from flexel.derive.elements.shared_parameters import MASS, PLANAR_GRAVITY
 
 
 def _planar_point_mass() -> Element:
@@ -13,13 +14,13 @@ def _planar_point_mass() -> Element:
     return Element(
         name="planar_point_mass",
         family="body",
-        picture="mass",
         nodes=(p,),
         parameters=(MASS, PLANAR_GRAVITY),
         kinetic_energy=HALF * mass * dot(p.v, p.v),
         potential=-mass * dot(g, p.x),
-        doc="T = mass v.v/2\nU = -mass gravity.x",
+        doc="T = mass v.v/2\nU = -mass gravity.x\nplace: x",
         source="textbook mechanics",
+        outputs=(Output("place", "m", p.x, draws="mass"),),
     )
 
 
@@ -44,9 +45,14 @@ def _planar_body() -> Element:
         doc=(
             "b = R(angle) c,  vc = xdot + angledot (-b_y, b_x), velocity of the mass centre\n"
             "T = mass vc.vc/2 + J angledot^2/2\n"
-            "U = -mass gravity.(x + b)"
+            "U = -mass gravity.(x + b)\n"
+            "centre: x + b" + FRAME_DOC.format(origin="x", axes="columns of R(angle)")
         ),
         source="textbook mechanics",
+        outputs=(
+            Output("centre", "m", p.x + b, draws="mass"),
+            *frame(p.x, Matrix([co, si]), Matrix([-si, co])),
+        ),
     )
 
 

@@ -5,9 +5,10 @@ from dataclasses import dataclass
 
 from sympy import Expr, Matrix
 
-from flexel.derive.declare import Let, Node, Parameter
+from flexel.derive.declare import Let, Node, Output, Parameter
 from flexel.derive.declare.rotation import dot, norm
 from flexel.derive.elements.contact_surfaces import RADIUS, Modes, Touching, gap
+from flexel.derive.elements.picture_outputs import force, frame, planar_axes
 from flexel.derive.elements.planar_beam import ALPHA0
 from flexel.derive.elements.triads import named_directions
 
@@ -23,7 +24,7 @@ PLANAR_ROLLING = "turn = angular velocity of the disc relative to the surface\n"
 def planar_seen(
     let: Let, body: tuple[Node, Node], x: Matrix, xd: Matrix, radius: Expr, turning: Expr | None = None
 ) -> tuple[Touching, tuple[Matrix, Matrix]]:
-    """What has its centre at x, as seen from a body (c, r), in global axes from c; and the axes of the surface.
+    """Return the touching object with its centre at x, as seen from a body (c, r), and the axes of the surface.
 
     `turning` is its angular velocity, of what has a rotation of its own.
     """
@@ -33,6 +34,16 @@ def planar_seen(
     axes = named_directions(let, r, ALPHA0, "r")
     spin = None if turning is None else Matrix([turning - r.v[0]])
     return Touching(d, sliding, radius, spin), axes
+
+
+def planar_contact_outputs(
+    body: tuple[Node, Node], x: Matrix, points: tuple[Node, ...]
+) -> tuple[Output, ...]:
+    """Return the position of the touching object, the force on it, and where the surface is; see `contact_outputs`."""
+    c, r = body
+    ex, ey = planar_axes(r.x[0] + ALPHA0.symbol)
+    origin = c.x + PLANAR_OFFSET.vector[0] * ex + PLANAR_OFFSET.vector[1] * ey
+    return Output("place", "m", x), force(*points), *frame(origin, ex, ey)
 
 
 @dataclass(frozen=True)

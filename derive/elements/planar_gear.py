@@ -3,6 +3,7 @@
 from sympy import pi
 
 from flexel.derive.declare import Deformation, Element, Let, Parameter, PlanarAngle, PlanarPoint
+from flexel.derive.elements.picture_outputs import WHEELS_DOC, frame, planar_axes
 from flexel.derive.elements.planar_hinge import OFFSET0
 from flexel.derive.elements.triads import line_angle
 
@@ -30,10 +31,14 @@ def _planar_gear() -> Element:
             "d = xq - xp, psi its angle counted from offset0, period 2 pi\n"
             "mesh = (radius_p angle_p + radius_q angle_q)/(radius_p + radius_q) - psi, an angle, so that any number\n"
             "of turns of the line of centres can be counted; (radius_p + radius_q) mesh is the displacement of the "
-            "teeth"
+            "teeth" + WHEELS_DOC
         ),
         source="rolling of the pitch circles, radius_p (angle_p - psi) + radius_q (angle_q - psi) = const; "
         "UT SPACAR, GEAR",
+        outputs=(
+            *frame(p.x, *planar_axes(rp.x[0]), of="_p"),
+            *frame(q.x, *planar_axes(rq.x[0]), of="_q"),
+        ),
     )
 
 

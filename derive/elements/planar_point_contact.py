@@ -6,7 +6,9 @@ The planar counterparts of the cylinder and of the plane in ``point_contact``.
 from sympy import Matrix, cos, sin
 
 from flexel.derive.declare import Element, Let, Parameter, PlanarAngle, PlanarPoint
-from flexel.derive.elements.contact_surfaces import SPHERE_RADIUS
+from flexel.derive.elements.contact_surfaces import BALL, DRAWN, SPHERE_RADIUS
+from flexel.derive.elements.picture_outputs import axes as axes_drawn
+from flexel.derive.elements.picture_outputs import planar_axes
 from flexel.derive.elements.planar_beam import ALPHA0
 from flexel.derive.elements.planar_contact_surfaces import (
     PLANAR_OFFSET,
@@ -14,6 +16,7 @@ from flexel.derive.elements.planar_contact_surfaces import (
     PLANAR_SEEN,
     PLANAR_SURFACES,
     PlanarSurface,
+    planar_contact_outputs,
     planar_seen,
 )
 
@@ -34,8 +37,9 @@ def _planar_point(surface: PlanarSurface) -> Element:
         let=let.entries,
         deformations=deformations,
         slips=slips,
-        doc="x: place of p\n" + PLANAR_SEEN + surface.doc.format(a="sphere_radius", turn=""),
+        doc="x: place of p\n" + PLANAR_SEEN + surface.doc.format(a="sphere_radius", turn="") + DRAWN,
         source="planar counterpart of contact in space",
+        outputs=planar_contact_outputs((c, r), p.x, (p,)),
     )
 
 
@@ -62,10 +66,13 @@ def _disc(surface: PlanarSurface) -> Element:
             + PLANAR_SEEN
             + PLANAR_ROLLING
             + surface.doc.format(a="sphere_radius", turn=surface.rolling)
+            + DRAWN
+            + BALL
         ),
         source="planar counterpart of contact in space",
+        outputs=(*planar_contact_outputs((c, r), x, (p,)), axes_drawn(*planar_axes(b.x[0]), of="_ball")),
     )
 
 
-PLANAR_POINT_CONTACTS = tuple(_planar_point(z) for z in PLANAR_SURFACES)
-PLANAR_DISC_CONTACTS = tuple(_disc(z) for z in PLANAR_SURFACES)
+PLANAR_POINT_CONTACTS = tuple(_planar_point(surface) for surface in PLANAR_SURFACES)
+PLANAR_DISC_CONTACTS = tuple(_disc(surface) for surface in PLANAR_SURFACES)

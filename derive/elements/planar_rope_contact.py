@@ -5,16 +5,18 @@ The planar counterparts of the cylinder and of the plane in ``rope_contact``.
 
 from flexel.derive.declare import Element, Let, PlanarAngle, PlanarPoint, PlanarSlope
 from flexel.derive.elements.arc_point import ARC_POINT, arc_point
-from flexel.derive.elements.parameters import L0
+from flexel.derive.elements.contact_surfaces import DRAWN
 from flexel.derive.elements.planar_beam import ALPHA0
 from flexel.derive.elements.planar_contact_surfaces import (
     PLANAR_OFFSET,
     PLANAR_SEEN,
     PLANAR_SURFACES,
     PlanarSurface,
+    planar_contact_outputs,
     planar_seen,
 )
 from flexel.derive.elements.rope_contact import ROPE_RADIUS, XI
+from flexel.derive.elements.shared_parameters import L0
 
 
 def _planar_contact(surface: PlanarSurface) -> Element:
@@ -34,9 +36,10 @@ def _planar_contact(surface: PlanarSurface) -> Element:
         let=let.entries,
         deformations=deformations,
         slips=slips,
-        doc=ARC_POINT + PLANAR_SEEN + surface.doc.format(a="rope_radius", turn=""),
+        doc=ARC_POINT + PLANAR_SEEN + surface.doc.format(a="rope_radius", turn="") + DRAWN,
         source="planar counterpart of contact in space",
+        outputs=planar_contact_outputs((c, r), x, (p, q)),
     )
 
 
-PLANAR_CABLE_CIRCLE, PLANAR_CABLE_LINE = (_planar_contact(z) for z in PLANAR_SURFACES)
+PLANAR_CABLE_CIRCLE, PLANAR_CABLE_LINE = (_planar_contact(surface) for surface in PLANAR_SURFACES)

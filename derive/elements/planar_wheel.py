@@ -1,7 +1,10 @@
 """Wheel or knife edge that rolls on the plane itself, upright: two slips and no deformations."""
 
+from sympy import Matrix, cos, sin
+
 from flexel.derive.declare import Element, Let, Parameter, PlanarAngle, PlanarPoint, Slip
 from flexel.derive.declare.rotation import dot
+from flexel.derive.elements.picture_outputs import frame
 from flexel.derive.elements.planar_beam import ALPHA0
 from flexel.derive.elements.triads import named_directions
 
@@ -12,6 +15,8 @@ def _planar_wheel() -> Element:
     p, r, s = PlanarPoint("p"), PlanarAngle("r"), PlanarAngle("s")
     let = Let()
     ex, ey = named_directions(let, r, ALPHA0, "r")
+    c, s_turn = cos(s.x[0]), sin(s.x[0])
+    spoke, behind = Matrix([*(c * ex), -s_turn]), Matrix([*(-s_turn * ex), -c])
     return Element(
         name="planar_wheel",
         family="wheel",
@@ -25,9 +30,12 @@ def _planar_wheel() -> Element:
         ),
         doc=(
             "ex, ey: direction of travel (angle_r + alpha0) and its normal; angle_s is the turn about the axle\n"
-            "longitudinal = ex.v - radius angledot_s,  lateral = ey.v"
+            "longitudinal = ex.v - radius angledot_s,  lateral = ey.v\n"
+            "axes: of the wheel in space, in rows: a spoke, which turns from ex down, its normal, and the axle ey\n"
+            "origin: x"
         ),
         source="SPACAR95 manual (Schwab and Meijaard 2000), PLWHEEL",
+        outputs=frame(p.x, spoke, behind, Matrix([*ey, 0])),
     )
 
 

@@ -7,20 +7,24 @@ fixed in a body turns with it: it slides with its material point at the contact.
 from flexel.derive.declare import Element, Frame, Let, Parameter, Point
 from flexel.derive.declare.rotation import angular_velocity, combination, triad, triad_rate
 from flexel.derive.elements.contact_surfaces import (
+    BALL,
+    DRAWN,
     OFFSET,
     ROLLING,
     SEEN,
     SPHERE_RADIUS,
     SURFACES,
-    Surface,
+    SurfaceKind,
     T,
+    contact_outputs,
     seen,
 )
+from flexel.derive.elements.picture_outputs import axes
 
 CENTRE = Parameter("centre", 3, "m", "centre of the sphere from p in the axes of its body", ("x", "y", "z"))
 
 
-def _point(surface: Surface) -> Element:
+def _point(surface: SurfaceKind) -> Element:
     p, c, r = Point("p"), Point("c"), Frame("r")
     let = Let()
     deformations, slips = surface.modes(let, seen(let, (c, r), p.x, p.v, SPHERE_RADIUS.symbol))
@@ -33,12 +37,13 @@ def _point(surface: Surface) -> Element:
         let=let.entries,
         deformations=deformations,
         slips=slips,
-        doc="x: place of p\n" + SEEN + surface.doc.format(a="sphere_radius", b="point"),
+        doc="x: place of p\n" + SEEN + surface.doc.format(a="sphere_radius", b="point") + DRAWN,
         source="textbook mechanics",
+        outputs=contact_outputs((c, r), p.x, (p,)),
     )
 
 
-def _sphere(surface: Surface) -> Element:
+def _sphere(surface: SurfaceKind) -> Element:
     p, b, c, r = Point("p"), Frame("b"), Point("c"), Frame("r")
     let = Let()
     x = p.x + combination(triad(b.x), CENTRE.vector)
@@ -59,10 +64,13 @@ def _sphere(surface: Surface) -> Element:
             + SEEN
             + ROLLING
             + surface.doc.format(a="sphere_radius", b="sphere")
+            + DRAWN
+            + BALL
         ),
         source="textbook mechanics",
+        outputs=(*contact_outputs((c, r), x, (p,)), axes(*triad(b.x), of="_ball")),
     )
 
 
-POINT_CONTACTS = tuple(_point(z) for z in SURFACES)
-SPHERE_CONTACTS = tuple(_sphere(z) for z in SURFACES)
+POINT_CONTACTS = tuple(_point(surface) for surface in SURFACES)
+SPHERE_CONTACTS = tuple(_sphere(surface) for surface in SURFACES)

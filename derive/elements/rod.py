@@ -4,7 +4,7 @@ from sympy import Expr, Rational
 
 
 def shortening(square: Expr) -> Expr:
-    """(1 - 2/phi sin(phi/2))/phi^2, which a uniform curvature takes from the length, for phi^2.
+    """Return (1 - 2/phi sin(phi/2))/phi^2, which a uniform curvature takes from the length, as a function of phi^2.
 
     The chord of an arc of length l0 that turns by phi is l0 (1 - shortening phi^2).  Three terms of the series: an
     error of 4e-7 of the length at a quarter turn, of 1e-4 at half a turn.
@@ -13,7 +13,7 @@ def shortening(square: Expr) -> Expr:
 
 
 def bow_stretch(shear: Expr, bow: Expr) -> Expr:
-    """What a bow adds to the length of the chord, over l0, to second order.
+    """Return the length that a bow adds to the chord, over l0, to second order.
 
     Parameters
     ----------

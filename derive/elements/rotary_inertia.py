@@ -1,12 +1,15 @@
-"""Rotary inertia of an orientation node, in space and in the plane."""
+"""Rotary inertia of an orientation node, in space and in the plane, and inertia of a warping node."""
 
 from sympy import Matrix
 
-from flexel.derive.declare import Element, Frame, Let, Parameter, PlanarAngle
+from flexel.derive.declare import Element, Frame, Let, Node, Parameter, PlanarAngle, Warping
 from flexel.derive.declare.rotation import HALF, body_angular_velocity, dot
 
 TENSOR = Parameter(
     "J", 6, "kg m^2", "inertia tensor in body axes (tensor components)", ("xx", "yy", "zz", "xy", "xz", "yz")
+)
+OF_WARPING = Parameter(
+    "J", 1, "kg m^4", "moment of inertia of warping: density times warping constant times length"
 )
 MOMENT = Parameter("J", 1, "kg m^2", "moment of inertia")
 
@@ -28,18 +31,30 @@ def _rotary_inertia() -> Element:
     )
 
 
-def _planar_rotary_inertia() -> Element:
-    r = PlanarAngle("r")
+def _of_one_coordinate(
+    name: str, family: str, node: Node, moment: Parameter, doc: str, source: str
+) -> Element:
+    """Return the inertia J of a node with one coordinate: T = J/2 times the square of its rate."""
     return Element(
-        name="planar_rotary_inertia",
-        family="body",
-        nodes=(r,),
-        parameters=(MOMENT,),
-        kinetic_energy=HALF * MOMENT.symbol * r.v[0] ** 2,
-        doc="T = J angledot^2/2",
-        source="textbook mechanics",
+        name=name,
+        family=family,
+        nodes=(node,),
+        parameters=(moment,),
+        kinetic_energy=HALF * moment.symbol * node.v[0] ** 2,
+        doc=doc,
+        source=source,
     )
 
 
 ROTARY_INERTIA = _rotary_inertia()
-PLANAR_ROTARY_INERTIA = _planar_rotary_inertia()
+PLANAR_ROTARY_INERTIA = _of_one_coordinate(
+    "planar_rotary_inertia", "body", PlanarAngle("r"), MOMENT, "T = J angledot^2/2", "textbook mechanics"
+)
+WARPING_INERTIA = _of_one_coordinate(
+    "warping_inertia",
+    "",
+    Warping("w"),
+    OF_WARPING,
+    "w: twist per length\nT = J wdot^2/2",
+    "Vlasov 1961, Thin-walled elastic beams",
+)

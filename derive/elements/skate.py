@@ -7,6 +7,7 @@ from flexel.derive.declare import (
     Element,
     Frame,
     Let,
+    Output,
     Parameter,
     PlanarAngle,
     PlanarPoint,
@@ -14,6 +15,7 @@ from flexel.derive.declare import (
     Slip,
 )
 from flexel.derive.declare.rotation import combination, cross, dot, norm, triad
+from flexel.derive.elements.picture_outputs import FRAME_DOC, frame
 from flexel.derive.elements.planar_beam import ALPHA0
 from flexel.derive.elements.triads import named_directions
 from flexel.derive.elements.wheel import HEIGHT, NORMAL
@@ -28,7 +30,8 @@ def _slips(ahead: Matrix, across: Matrix, v: Matrix) -> tuple[Slip, ...]:
 def _skate() -> Element:
     p, r = Point("p"), Frame("r")
     n, let = NORMAL.vector, Let()
-    b = let.vector("b", combination(triad(r.x), BLADE.vector))
+    axes = triad(r.x)
+    b = let.vector("b", combination(axes, BLADE.vector))
     side = let.vector("side", cross(n, b))
     ey = let.vector("ey", side / let.scalar("side_length", norm(side)))
     return Element(
@@ -41,9 +44,11 @@ def _skate() -> Element:
         slips=_slips(cross(ey, n), ey, p.v),
         doc=(
             "b = R(lambda) blade, n = normal, ey = (n x b)/|n x b|, ex = ey x n\n"
-            "surface = n.x - height,  forward = ex.v,  lateral = ey.v"
+            "surface = n.x - height,  forward = ex.v,  lateral = ey.v\n"
+            "ahead: b" + FRAME_DOC.format(origin="x", axes="columns of R(lambda)")
         ),
         source="Chaplygin 1911, sleigh; Neimark and Fufaev 1972, Dynamics of Nonholonomic Systems",
+        outputs=(Output("ahead", "1", b), *frame(p.x, *axes)),
     )
 
 
@@ -58,8 +63,12 @@ def _planar_skate() -> Element:
         parameters=(ALPHA0,),
         let=let.entries,
         slips=_slips(ex, ey, p.v),
-        doc="ex, ey: direction of the blade (angle + alpha0) and its normal;  forward = ex.v,  lateral = ey.v",
+        doc=(
+            "ex, ey: direction of the blade (angle + alpha0) and its normal;  forward = ex.v,  lateral = ey.v\n"
+            "ahead: ex" + FRAME_DOC.format(origin="x", axes="ex, ey")
+        ),
         source="Chaplygin 1911, sleigh; Neimark and Fufaev 1972, Dynamics of Nonholonomic Systems",
+        outputs=(Output("ahead", "1", ex), *frame(p.x, ex, ey)),
     )
 
 

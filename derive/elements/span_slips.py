@@ -20,8 +20,8 @@ from flexel.derive.declare import (
 )
 from flexel.derive.declare.rotation import HALF, product, triad_rate
 from flexel.derive.declare.shape import hermite_mean
-from flexel.derive.elements.parameters import L0, TP, TQ
 from flexel.derive.elements.planar_beam import ALPHA0, ALPHAQ0
+from flexel.derive.elements.shared_parameters import L0, TP, TQ
 from flexel.derive.elements.triads import named_directions
 
 _SOURCE = "textbook mechanics (consistent nodal forces)"

@@ -5,7 +5,7 @@ import sympy as sp
 from flexel.derive.declare import Deformation, Element, Let, Node, Parameter, PlanarPoint, Point
 from flexel.derive.declare.rotation import dot, norm
 from flexel.derive.declare.shape import linear_energy
-from flexel.derive.elements.parameters import GRAVITY, L0, PLANAR_GRAVITY, RHOA
+from flexel.derive.elements.shared_parameters import GRAVITY, L0, PLANAR_GRAVITY, RHOA
 
 
 def _truss(name: str, p: Node, q: Node, gravity: Parameter, span: str) -> Element:

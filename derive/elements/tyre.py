@@ -12,6 +12,7 @@ from sympy import Expr, Matrix, Piecewise, Rational, cos, pi, sin, sqrt
 
 from flexel.derive.declare import Deformation, Element, Frame, Let, Node, Parameter, Point, Slip
 from flexel.derive.declare.rotation import angular_velocity, combination, cross, dot, norm, triad
+from flexel.derive.elements.picture_outputs import FRAME_DOC, frame
 from flexel.derive.elements.wheel import AXLE, CROWN, HEIGHT, NORMAL
 
 RADIUS = Parameter("radius", 1, "m", "radius of the unloaded tyre")
@@ -50,13 +51,13 @@ class Road:
 
 
 def _plane(w: Node) -> Road:
-    """Plane normal.x = height."""
+    """Return the plane normal.x = height."""
     h = dot(NORMAL.vector, w.x) - HEIGHT.symbol
     return Road((NORMAL, HEIGHT), NORMAL.vector, h, h, _DOC.format(distance="h"))
 
 
 def _waves(let: Let, w: Node) -> Road:
-    """Road z(x, y) of one or more cosine waves, flat elsewhere.
+    """Return the road z(x, y) of one or more cosine waves, flat elsewhere.
 
     It is once continuously differentiable at the two ends, with a step of the curvature there, and smooth elsewhere.
     """
@@ -81,9 +82,9 @@ def _waves(let: Let, w: Node) -> Road:
     return Road(parameters, n, above * nz, above, doc, slope)
 
 
-def _tyre(name: str, road: Road, let: Let, w: Node, frame: Node) -> Element:
+def _tyre(name: str, road: Road, let: Let, w: Node, body: Node) -> Element:
     n = road.n
-    a = let.vector("a", combination(triad(frame.x), AXLE.vector))
+    a = let.vector("a", combination(triad(body.x), AXLE.vector))
     h = let.scalar("height_above", road.h)
     lean = let.scalar("lean", dot(a, n))
     ahead = let.vector("ahead", cross(a, n))
@@ -93,7 +94,7 @@ def _tyre(name: str, road: Road, let: Let, w: Node, frame: Node) -> Element:
     crown = CROWN.symbol
     length = let.scalar("length", (h - crown) / an)
     r = let.vector("d", -length / an * (n - lean * a) - crown * n)
-    omega = let.vector("omega", angular_velocity(frame.x, frame.v))
+    omega = let.vector("omega", angular_velocity(body.x, body.v))
     vc = let.vector("vc", w.v + cross(omega, r))
     deformations = [
         Deformation("deflection", "m", RADIUS.symbol - crown - (road.distance - crown) / an, free=True),
@@ -107,7 +108,7 @@ def _tyre(name: str, road: Road, let: Let, w: Node, frame: Node) -> Element:
         name=name,
         family="tyre",
         picture="tyre",
-        nodes=(w, frame),
+        nodes=(w, body),
         parameters=(RADIUS, CROWN, AXLE, *road.parameters),
         let=let.entries,
         deformations=tuple(deformations),
@@ -119,8 +120,9 @@ def _tyre(name: str, road: Road, let: Let, w: Node, frame: Node) -> Element:
             Slip("lateral", "m/s", dot(ey, vc), free=True),
             Slip("spin", "rad/s", dot(omega, n), free=True),
         ),
-        doc=road.doc,
+        doc=road.doc + FRAME_DOC.format(origin="w", axes="columns of R(lambda)"),
         source="Frik, Leister, Schwartz 1993, Vehicle System Dynamics 22 suppl. (frames and slip angle of the wheel)",
+        outputs=frame(w.x, *triad(body.x)),
     )
 
 
@@ -135,19 +137,19 @@ def _on_road() -> Element:
 
 
 def _axle_slip() -> Element:
-    """Mean of the lateral velocities of two wheels where they touch a plane road."""
+    """Return the mean of the lateral velocities of two wheels where they touch a plane road."""
     ends = (Point("p"), Frame("rp")), (Point("q"), Frame("rq"))
     let, n = Let(), NORMAL.vector
     lateral: list[Expr] = []
-    for (w, frame), axle in zip(ends, ROLL_AXLES, strict=True):
+    for (w, body), axle in zip(ends, ROLL_AXLES, strict=True):
         end = w.name
-        a = let.vector(f"a_{end}", combination(triad(frame.x), axle.vector))
+        a = let.vector(f"a_{end}", combination(triad(body.x), axle.vector))
         h, lean = dot(n, w.x) - HEIGHT.symbol, let.scalar(f"lean_{end}", dot(a, n))
         ahead = let.vector(f"ahead_{end}", cross(a, n))
         an = let.scalar(f"an_{end}", norm(ahead))
         ey = let.vector(f"ey_{end}", cross(n, ahead) / an)
         r = let.vector(f"d_{end}", -h / an**2 * (n - lean * a))
-        omega = let.vector(f"omega_{end}", angular_velocity(frame.x, frame.v))
+        omega = let.vector(f"omega_{end}", angular_velocity(body.x, body.v))
         lateral.append(dot(ey, w.v + cross(omega, r)))
     return Element(
         name="axle_slip",

@@ -4,6 +4,7 @@ from sympy import Expr, Matrix
 
 from flexel.derive.declare import Deformation, Element, Frame, Let, Parameter, Point, Slip
 from flexel.derive.declare.rotation import angular_velocity, combination, cross, dot, norm, triad
+from flexel.derive.elements.picture_outputs import FRAME_DOC, force, frame
 
 RADIUS = Parameter("radius", 1, "m", "radius of the rim")
 AXLE = Parameter("axle", 3, "1", "unit vector along the axle in body axes", ("x", "y", "z"))
@@ -13,7 +14,7 @@ CROWN = Parameter("crown", 1, "m", "radius of the cross section of the tyre, a c
 
 
 def _slips(let: Let, wheel: tuple[Matrix, Matrix, Matrix], arm: Matrix, ra: Matrix) -> tuple[Slip, ...]:
-    """Slips from the velocity of the hub, the Euler parameters and their rates, the arm to the contact, and r x a."""
+    """Return the slips from the hub's velocity, Euler parameters and their rates, the arm to the contact, and r x a."""
     hub_v, lam, lam_v = wheel
     n = NORMAL.vector
     omega = let.vector("omega", angular_velocity(lam, lam_v))
@@ -31,20 +32,20 @@ def _slips(let: Let, wheel: tuple[Matrix, Matrix, Matrix], arm: Matrix, ra: Matr
 
 
 def _rolling(name: str, crown: Parameter | None, doc: str, source: str) -> Element:
-    """A wheel whose contact point lies below its rim, or below the centre of the tube of its tyre."""
-    w, frame, c = Point("w"), Frame("r"), Point("c")
+    """Return a wheel whose contact point lies below its rim, or below the centre of the tube of its tyre."""
+    w, body, c = Point("w"), Frame("r"), Point("c")
     n, let = NORMAL.vector, Let()
-    a = let.vector("a", combination(triad(frame.x), AXLE.vector))
+    a = let.vector("a", combination(triad(body.x), AXLE.vector))
     arm = let.vector("arm" if crown else "d", c.x - w.x)
     r = let.vector("d", arm + crown.symbol * n) if crown else arm
     rim = let.scalar("rim", RADIUS.symbol - crown.symbol) if crown else RADIUS.symbol
     ra = let.vector("ra", cross(r, a))
-    slips = _slips(let, (w.v, frame.x, frame.v), arm, ra)
+    slips = _slips(let, (w.v, body.x, body.v), arm, ra)
     return Element(
         name=name,
         family="wheel",
         picture="wheel",
-        nodes=(w, frame, c),
+        nodes=(w, body, c),
         parameters=(RADIUS, *([crown] if crown else []), AXLE, NORMAL, HEIGHT),
         let=let.entries,
         deformations=(
@@ -54,8 +55,13 @@ def _rolling(name: str, crown: Parameter | None, doc: str, source: str) -> Eleme
             Deformation("lowest", "m", dot(n, ra)),
         ),
         slips=slips,
-        doc=doc,
+        doc=(
+            doc
+            + "\nforce: of the road on hub and contact point"
+            + FRAME_DOC.format(origin="xw", axes="columns of R(lambda)")
+        ),
         source=source,
+        outputs=(force(w, c), *frame(w.x, *triad(body.x))),
     )
 
 

@@ -6,19 +6,21 @@ imports ``flexel.generated``, so that it works when the compiled kernels are mis
 
 import json
 import re
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 from flexel.derive.declare import Element, Law
+from flexel.derive.definition_errors import ElementError
 from flexel.derive.elements import ELEMENTS
 from flexel.derive.emit.entries import table_entry
 from flexel.derive.emit.source import digest_of, element_source, laws_source, render
 from flexel.derive.emit.specification import element_spec, law_spec
 from flexel.derive.laws import LAWS
-from flexel.derive.program.kernels import Derived, derive_element, derive_law
+from flexel.derive.program.kernel_outputs import Derived, derive_element, derive_law
 from flexel.derive.shared_object import FLAGS
 
+PACKAGE = ("__init__.py", "build.py")  # what makes `flexel.generated` of the files
 BASELINE = Path(__file__).with_name("operations.json")
 _ENTRY = re.compile(r"^    # (element|law) (\w+)\n(.*?)\n(?=    # )", re.MULTILINE | re.DOTALL)
 
@@ -34,11 +36,11 @@ class Emitted:
 
 
 def _silent(name: str) -> None:
-    """No progress display."""
+    """Show no progress."""
 
 
 def _entries_in(folder: Path | None) -> dict[str, dict[str, str]]:
-    """Entries of an existing table by name, of elements and of laws."""
+    """Return the entries of an existing table by name, of elements and of laws."""
     found: dict[str, dict[str, str]] = {"element": {}, "law": {}}
     path = folder / "table.py" if folder else None
     if path is not None and path.exists():
@@ -97,19 +99,36 @@ def emit(
     return Emitted({**files, **_common(entries, law_entries)}, counts)
 
 
+def emit_page(elements: Sequence[Element], laws: Sequence[Law]) -> Emitted:
+    """Derive elements and laws of a user and print them: their C, the headers, and the table of their arrays.
+
+    Raises
+    ------
+    ElementError
+        An element with the name of the file of the laws.
+    """
+    for element in elements:
+        if laws and element.name == "laws":
+            raise ElementError("element 'laws': the laws are written to laws.c; choose another name")
+    emitted = emit(elements, laws)
+    files = {name: text for name, text in emitted.files.items() if name not in PACKAGE}
+    return Emitted(files, emitted.operations)
+
+
 def _common(elements: dict[str, str], laws: dict[str, str]) -> dict[str, str]:
-    """The files that do not belong to one element."""
+    """Return the files that do not belong to one element."""
     flags = "[" + ", ".join(f'"{flag}"' for flag in FLAGS) + "]"
     return {
         "__init__.py": render("init.py.jinja"),
         "build.py": render("build.py.jinja", flags=flags),
-        "kernels.h": render("kernels.h.jinja", elements=elements, laws=laws),
+        "catalogue.h": render("catalogue.h.jinja", elements=elements, laws=laws),
+        "kernels.h": render("kernels.h.jinja"),
         "table.py": render("table.py.jinja", elements=elements, laws=laws),
     }
 
 
 def stale(folder: Path) -> list[str]:
-    """Files in the folder that a complete derivation would not write; compiled ones are ignored."""
+    """List files in the folder that a complete derivation would not write; compiled ones are ignored."""
     known = {f"{element.name}.c" for element in ELEMENTS} | {"laws.c", *_common({}, {})}
     return sorted(
         path.name
@@ -118,13 +137,18 @@ def stale(folder: Path) -> list[str]:
     )
 
 
-def write(folder: Path, emitted: Emitted | None = None) -> list[str]:
-    """Write the files that differ, remove stale ones; returns the names of both."""
-    files = (emitted or emit()).files
+def write_files(folder: Path, files: Mapping[str, str]) -> list[str]:
+    """Write the files that differ, and return their names."""
     folder.mkdir(parents=True, exist_ok=True)
-    changed = _differing(folder, files)
+    changed = differing(folder, files)
     for name in changed:
         (folder / name).write_text(files[name], encoding="utf-8")
+    return changed
+
+
+def write(folder: Path, emitted: Emitted | None = None) -> list[str]:
+    """Write the files that differ, remove stale ones; returns the names of both."""
+    changed = write_files(folder, (emitted or emit()).files)
     removed = stale(folder)
     for name in removed:
         (folder / name).unlink()
@@ -132,11 +156,13 @@ def write(folder: Path, emitted: Emitted | None = None) -> list[str]:
 
 
 def check(folder: Path, emitted: Emitted | None = None) -> list[str]:
-    """Names of files that differ from the derivation, are missing or are stale."""
-    return sorted(_differing(folder, (emitted or emit()).files) + stale(folder))
+    """List files that differ from the derivation, are missing or are stale."""
+    return sorted(differing(folder, (emitted or emit()).files) + stale(folder))
 
 
-def _differing(folder: Path, files: dict[str, str]) -> list[str]:
+def differing(folder: Path, files: Mapping[str, str]) -> list[str]:
+    """Return the names of the files that a folder does not have, or has with another text."""
+
     def same(name: str) -> bool:
         path = folder / name
         return path.exists() and path.read_bytes() == files[name].encode()
@@ -148,13 +174,13 @@ def _differing(folder: Path, files: dict[str, str]) -> list[str]:
 
 
 def baseline() -> Counts:
-    """The committed operation counts."""
+    """Return the committed operation counts."""
     counts: Counts = json.loads(BASELINE.read_text(encoding="utf-8")) if BASELINE.exists() else {}
     return counts
 
 
 def risen(counts: Counts, reference: Counts) -> list[str]:
-    """Kernels that take more operations than in the baseline, or are not in it: one line of text for each."""
+    """List kernels that take more operations than in the baseline, or are not in it: one line of text for each."""
     return [
         f"{name}.{kernel}: {count} operations, baseline {reference.get(name, {}).get(kernel, 'missing')}"
         for name, kernels in counts.items()

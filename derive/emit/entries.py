@@ -12,7 +12,7 @@ _STEP = "    "
 
 
 def table_entry(spec: ElementSpec | LawSpec) -> str:
-    """Entry of an element or a law in ``table.py``."""
+    """Write the entry of an element or a law in ``table.py``."""
     lines = [f"{_STEP}{_literal(spec.name)}: {type(spec).__name__}("]
     for field in fields(spec):
         value = getattr(spec, field.name)
@@ -26,7 +26,7 @@ def _said(field: Field[Any], value: Any) -> bool:
 
 
 def _field(name: str, value: Any) -> list[str]:
-    """Lines of one field: tuples of specifications and kernels over several."""
+    """Write the lines of one field: tuples of specifications and kernels over several."""
     indent = 2 * _STEP
     if isinstance(value, dict):
         lines = [f"{indent}{name}={{"]
@@ -34,7 +34,11 @@ def _field(name: str, value: Any) -> list[str]:
             lines += _kernel(key, kernel)
         return [*lines, f"{indent}}},"]
     if isinstance(value, tuple) and value:
-        return [f"{indent}{name}=(", *(f"{indent}{_STEP}{_literal(z)}," for z in value), f"{indent}),"]
+        return [
+            f"{indent}{name}=(",
+            *(f"{indent}{_STEP}{_literal(entry)}," for entry in value),
+            f"{indent}),",
+        ]
     return [f"{indent}{name}={_literal(value)},"]
 
 
@@ -62,7 +66,7 @@ def _literal(value: Any) -> str:
 
 
 def _call(spec: Any) -> str:
-    """A small specification as the call that makes it; what has a default is named."""
+    """Write a small specification as the call that makes it; what has a default is named."""
     arguments = []
     for field in fields(spec):
         value = getattr(spec, field.name)

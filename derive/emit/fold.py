@@ -7,7 +7,7 @@ _BREAK = re.compile(r" (?=(?:[-+*/?:<>]|[<>!=]=|&&|\|\||=|/\*) )|(?<=,) ")
 
 
 def folded(text: str) -> str:
-    """The text with no line longer than `WIDTH`, as far as it can be folded."""
+    """Fold the text so that no line is longer than `WIDTH`, as far as possible."""
     return "\n".join(part for line in text.split("\n") for part in _folded(line))
 
 
@@ -23,7 +23,7 @@ def _folded(line: str) -> list[str]:
 
 
 def _filled(parts: list[str], indent: str) -> list[str]:
-    """Parts joined by blanks into lines, each as long as may be."""
+    """Join parts by blanks into lines, each as long as may be."""
     lines = [parts[0]]
     for part in parts[1:]:
         if len(lines[-1]) + 1 + len(part) <= WIDTH:

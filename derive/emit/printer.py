@@ -10,23 +10,20 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import partial
 
+from flexel.derive.declare.checks import ARRAYS, TAKEN
 from flexel.derive.program.graph import CONDITIONS, LEAVES
-from flexel.derive.program.kernels import Derived, Kernel
-from flexel.derive.program.program import Program
+from flexel.derive.program.kernel_outputs import Derived, Kernel
+from flexel.derive.program.straight_line import Program
 
 BLOCK = 8  # elements in a block, see kernels.h
 _INLINE = 56  # longest expression, in characters, that is written inside another one
 _SUM, _PRODUCT, _SIGN, _ATOM = 1, 2, 3, 4  # how tightly an expression binds
 _VECTORIZED = frozenset({"sqrt", "abs", "min", "max"})
 _ARITHMETIC = frozenset({"add", "sub", "neg", "mul", "inv", "select"})
-_ARRAYS = frozenset(
-    "x v a p e ed s z t sigma tau De V g gs M h f U P zd Phi_x Psi_x Psi_v K R_x R_v J".split()
-)
-_TAKEN = frozenset("in out j b real size_t sizeof int double const for pow exp log main".split())
 
 
 def literal(value: Fraction) -> str:
-    """The double nearest to an exact number, in the shortest form that reads back the same."""
+    """Write the double nearest to an exact number, in the shortest form that reads back the same."""
     return repr(float(value))
 
 
@@ -39,7 +36,7 @@ class Loop:
 
 
 @dataclass(frozen=True)
-class Body:
+class FunctionBody:
     """What is inside the loop over blocks: arrays that pass values between loops, and the loops."""
 
     arrays: tuple[str, ...]
@@ -47,9 +44,9 @@ class Body:
 
 
 def _c_name(name: str, used: set[str]) -> str:
-    """The name itself, or with underscores behind it where it would clash."""
+    """Return the name itself, or with underscores behind it where it would clash."""
     temporary = name[:1] == "t" and name[1:].isdigit()
-    while name in used or name in _ARRAYS or name in _TAKEN or name.startswith("real_") or temporary:
+    while name in used or name in ARRAYS or name in TAKEN or name.startswith("real_") or temporary:
         name, temporary = name + "_", False
     used.add(name)
     return name
@@ -58,6 +55,7 @@ def _c_name(name: str, used: set[str]) -> str:
 class _Printer:
     def __init__(self, derived: Derived, kernel: Kernel) -> None:
         self.program: Program = derived.program
+        self.kernel = kernel
         self.stores: dict[int, list[str]] = {}
         self.entries: dict[int, list[str]] = {}  # rows and columns of the entries of matrices
         outputs: list[int] = []
@@ -84,7 +82,7 @@ class _Printer:
         self.arrays: list[str] = []
 
     def _levels(self) -> dict[int, int]:
-        """Number of the loop of every row: even ones are vectorized, odd ones hold calls."""
+        """Return the number of the loop of every row: even ones are vectorized, odd ones hold calls."""
         level: dict[int, int] = {}
         for row in self.order:
             op, args, _ = self.program.rows[row]
@@ -94,14 +92,14 @@ class _Printer:
         return level
 
     def _operands(self, row: int) -> list[int]:
-        """Rows whose values a row needs where it is written; conditions are written out where they are used."""
+        """Return rows whose values a row needs where it is written; conditions are written out where they are used."""
         found: list[int] = []
         for arg in self.program.rows[row].args:
             found += self._operands(arg) if self.program.rows[arg].op in CONDITIONS else [arg]
         return found
 
     def _across(self) -> set[int]:
-        """Rows that are used in a later loop than their own."""
+        """Return the rows that are used in a later loop than where they are computed."""
         return {
             arg
             for row in self.order
@@ -111,14 +109,14 @@ class _Printer:
         }
 
     def _names(self) -> dict[int, str]:
-        used: set[str] = set()
+        used = {output.name for output in self.kernel.outputs}
         return {
             row: _c_name(self.program.names[row], used)
             for row in sorted(self.order)
             if row in self.program.names
         }
 
-    def body(self) -> Body:
+    def body(self) -> FunctionBody:
         loops = [Loop(level % 2 == 0) for level in range(max(self.level.values(), default=0) + 1)]
         loaded: set[tuple[int, int]] = set()
         for row in self.order:
@@ -131,7 +129,7 @@ class _Printer:
                     loaded.add((self.level[row], arg))
                     loop.lines.append(f"const real {self.names[arg]} = {self.loads[arg]};")
             self._row(row, loop)
-        return Body(tuple(self.arrays), tuple(loop for loop in loops if loop.lines))
+        return FunctionBody(tuple(self.arrays), tuple(loop for loop in loops if loop.lines))
 
     def _row(self, row: int, loop: Loop) -> None:
         op = self.program.rows[row].op
@@ -162,7 +160,7 @@ class _Printer:
         return f"t{self.temporaries - 1}"
 
     def _expression(self, row: int) -> tuple[str, int]:
-        """Text of a row in terms of the texts of its arguments, and how tightly it binds."""
+        """Write a row in terms of the texts of its arguments; return how tightly it binds, too."""
         op, args, value = self.program.rows[row]
         if isinstance(value, Fraction):
             return literal(value), _SIGN if value < 0 else _ATOM
@@ -206,8 +204,8 @@ class _Printer:
         return text if own >= binding else f"({text})"
 
 
-def print_kernel(derived: Derived, kernel: Kernel) -> Body:
-    """Statements of a kernel.
+def print_kernel(derived: Derived, kernel: Kernel) -> FunctionBody:
+    """Write the statements of a kernel.
 
     Parameters
     ----------
@@ -217,7 +215,7 @@ def print_kernel(derived: Derived, kernel: Kernel) -> Body:
 
     Returns
     -------
-    Body
+    FunctionBody
         Loops over j, the element's place in its block.
     """
     return _Printer(derived, kernel).body()

@@ -13,7 +13,7 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from flexel.derive.declare import Element, Law, Parameter
 from flexel.derive.emit.fold import folded
 from flexel.derive.emit.printer import BLOCK, print_kernel
-from flexel.derive.program.kernels import Derived, Kernel
+from flexel.derive.program.kernel_outputs import Derived, Kernel
 
 _DIGEST = "@digest@"
 
@@ -27,19 +27,19 @@ def _environment() -> Environment:
 
 
 def render(template: str, **context: Any) -> str:
-    """Text of a template, without trailing blanks; lines of C are folded."""
+    """Fill in a template, without trailing blanks; lines of C are folded."""
     text = _environment().get_template(template).render(notice=NOTICE, block=BLOCK, **context)
     clean = "\n".join(line.rstrip() for line in text.splitlines()).rstrip("\n") + "\n"
     return clean if template.endswith(".py.jinja") else folded(clean)
 
 
 def _stamped(text: str) -> str:
-    """The text with its own digest in the places kept for it."""
+    """Insert the text's digest in the places kept for it."""
     return text.replace(_DIGEST, hashlib.sha256(text.encode()).hexdigest()[:16])
 
 
 def digest_of(source: str) -> str:
-    """The digest that a source carries."""
+    """Return the digest that a source carries."""
     found = re.search(r'^    \.digest = "(\w+)",$', source, re.MULTILINE)
     assert found is not None
     return found[1]
@@ -89,11 +89,11 @@ def _context(declared: Element | Law, derived: Derived, symbol: str) -> dict[str
 
 
 def _states(law: Law) -> list[str]:
-    return [_comment(f"{z.name} [{z.unit}]") for z in law.states]
+    return [_comment(f"{state.name} [{state.unit}]") for state in law.states]
 
 
 def element_source(element: Element, derived: Derived, symbol: str = "") -> str:
-    """C of an element; the table of its kernels is the global ``flexel_<symbol>``, by default its name."""
+    """Write the C of an element; the table of its kernels is the global ``flexel_<symbol>``, by default its name."""
     modes = [
         ", ".join(f"{mode.name} [{mode.unit}]" for mode in group) or "none"
         for group in (element.deformations, element.slips)
@@ -113,7 +113,7 @@ def element_source(element: Element, derived: Derived, symbol: str = "") -> str:
 
 
 def laws_source(laws: Sequence[Law], derived: Sequence[Derived], symbol: str = "") -> str:
-    """C of laws; their tables are the globals ``flexel_law_<name>``, or ``flexel_<symbol>`` for a single one."""
+    """Write the C of laws; their tables are ``flexel_law_<name>``, or ``flexel_<symbol>`` for a single one."""
     contexts = [
         {**_context(law, d, symbol or f"law_{law.name}"), "m": len(law.e), "k": len(law.s), "z": _states(law)}
         for law, d in zip(laws, derived, strict=True)

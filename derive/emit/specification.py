@@ -1,9 +1,9 @@
 """The specification of what was derived: what the runtime reads of an element or a law."""
 
-from flexel.derive.declare import Deformation, Element, Law, Parameter
+from flexel.derive.declare import TIME, Deformation, Element, Law, Parameter
 from flexel.derive.declare.winding import period_terms
 from flexel.derive.declare.words import MATRIX_SIGNS
-from flexel.derive.program.kernels import Derived
+from flexel.derive.program.kernel_outputs import Derived
 from flexel.derive.spec import (
     ArgumentSpec,
     DeformationSpec,
@@ -21,7 +21,7 @@ from flexel.derive.spec import (
 
 
 def element_spec(element: Element, derived: Derived, digest: str) -> ElementSpec:
-    """The specification of an element, with the digest of its C."""
+    """Return the specification of an element, with the digest of its C."""
     return ElementSpec(
         name=element.name,
         digest=digest,
@@ -31,7 +31,7 @@ def element_spec(element: Element, derived: Derived, digest: str) -> ElementSpec
         parameters=_parameters(element.parameters),
         deformations=tuple(_deformation(d, element.parameters) for d in element.deformations),
         slips=tuple(SlipSpec(s.name, s.unit, s.free) for s in element.slips),
-        kernels=_kernels(derived),
+        kernels=_kernels(derived) | _outputs(element, derived),
         family=element.family,
         picture=element.picture,
         span=element.span,
@@ -39,24 +39,32 @@ def element_spec(element: Element, derived: Derived, digest: str) -> ElementSpec
 
 
 def law_spec(law: Law, derived: Derived, digest: str) -> LawSpec:
-    """The specification of a law, with the digest of its C."""
+    """Return the specification of a law, with the digest of its C."""
     return LawSpec(
         name=law.name,
         digest=digest,
         doc=law.doc,
         deformations=len(law.e),
         slips=len(law.s),
-        states=tuple(InternalSpec(z.name, z.unit) for z in law.states),
+        states=tuple(InternalSpec(state.name, state.unit) for state in law.states),
         parameters=_parameters(law.parameters),
         kernels=_kernels(derived),
         limit=_limit(law),
         arguments=_arguments(law),
+        timed=_is_timed(law),
     )
 
 
 def _deformation(d: Deformation, parameters: tuple[Parameter, ...]) -> DeformationSpec:
     period = tuple(TermSpec(*term) for term in period_terms(d, parameters))
     return DeformationSpec(d.name, d.unit, d.free, period, d.kind, d.kinked)
+
+
+def _is_timed(law: Law) -> bool:
+    """Whether the time appears in a law."""
+    rates = (state.rate for state in law.states)
+    expressions = (*law.sigma, *law.tau, *rates, *(expr for _, expr in law.let))
+    return any(TIME in expr.free_symbols for expr in expressions)
 
 
 def _arguments(law: Law) -> tuple[ArgumentSpec, ...]:
@@ -75,7 +83,7 @@ def _limit(law: Law) -> LimitSpec | None:
 
 
 def _sign(parameter: Parameter) -> tuple[str, ...]:
-    """One word for each component; none where all may be anything."""
+    """Return one word for each component; none where all may be anything."""
     sign = parameter.sign
     if sign == "any":
         return ()
@@ -93,3 +101,15 @@ def _kernels(derived: Derived) -> dict[str, KernelSpec]:
         )
         for name, k in derived.kernels.items()
     }
+
+
+def _outputs(element: Element, derived: Derived) -> dict[str, KernelSpec]:
+    """Return the kernel of the outputs, if there are any, with their units and what is drawn of them."""
+    if not element.outputs:
+        return {}
+    kernel = derived.kernels["outputs"]
+    arrays = tuple(
+        OutputSpec(array.name, array.shape, array.nonzeros, output.unit, output.draws, output.carrier)
+        for array, output in zip(kernel.outputs, element.outputs, strict=True)
+    )
+    return {"outputs": KernelSpec(kernel.inputs, arrays, kernel.operations)}

@@ -5,12 +5,14 @@ deformations, k of slips and nz of internal states.
 """
 
 from flexel.derive.declare import Law
-from flexel.derive.laws.contact import CONTACT
+from flexel.derive.laws.beam_elasticity import BEAM
+from flexel.derive.laws.cable_laws import CABLE
+from flexel.derive.laws.contact_laws import CONTACT
 from flexel.derive.laws.held import HELD
 from flexel.derive.laws.joint import JOINT
 from flexel.derive.laws.journal import JOURNAL
-from flexel.derive.laws.linear import LINEAR
+from flexel.derive.laws.linear_laws import LINEAR
 from flexel.derive.laws.suspension import CURVES
-from flexel.derive.laws.tyre import TYRES
+from flexel.derive.laws.tyre_laws import TYRES
 
-LAWS: tuple[Law, ...] = (*LINEAR, *CURVES, *TYRES, *CONTACT, *JOURNAL, *JOINT, *HELD)
+LAWS: tuple[Law, ...] = (*LINEAR, *BEAM, *CABLE, *CURVES, *TYRES, *CONTACT, *JOURNAL, *JOINT, *HELD)

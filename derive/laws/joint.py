@@ -56,16 +56,16 @@ def _limits() -> Law:
 
 
 def _play(let: Let, e: list[sp.Symbol], ed: list[sp.Symbol]) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
-    """Force of a contact beyond the play in some directions; distance from the centre, and depth of the contact."""
+    """Return the force beyond the play in some directions, the distance from the centre, and the contact's depth."""
     gap = CLEARANCE.symbol
-    square = let.scalar("square", sum(z**2 for z in e))
+    square = let.scalar("square", sum(component**2 for component in e))
     touching = square > gap**2
     safe = let.scalar(
         "safe", sp.Piecewise((square, touching), (1, True))
     )  # SymPy takes roots of pieces apart
     r = let.scalar("r", sp.sqrt(safe))
     depth = let.scalar("depth", sp.Piecewise((r - gap, touching), (0, True)))
-    rate = let.scalar("rate", sum(z * zd for z, zd in zip(e, ed, strict=True)) / r)
+    rate = let.scalar("rate", sum(component * zd for component, zd in zip(e, ed, strict=True)) / r)
     return let.scalar("N", STIFFNESS.symbol * depth * sp.Max(0, 1 + LOSS.symbol * rate)), r, depth
 
 
@@ -83,7 +83,7 @@ def _loose_ball() -> Law:
         e=tuple(e),
         ed=tuple(ed),
         s=(),
-        sigma=tuple(N * z / r for z in e),
+        sigma=tuple(N * component / r for component in e),
         tau=(),
         energy=STIFFNESS.symbol * depth**2 / 2,
         source=_CONTACT,

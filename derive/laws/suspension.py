@@ -18,7 +18,7 @@ STORED = Parameter("stored", PIECES, "J", "energy at the origin of each piece")
 
 
 def _chosen(x: Symbol, values: tuple[Symbol, ...]) -> Expr:
-    """The value that belongs to the piece in which x lies."""
+    """Choose the value of the piece in which x lies."""
     pairs = [(value, x < end) for value, end in zip(values, BREAKS.symbols, strict=False)]
     return Piecewise(*pairs, (values[-1], True))
 

@@ -14,8 +14,8 @@ import sympy as sp
 
 from flexel.derive.declare.functions import FUNCTIONS
 from flexel.derive.program.graph import CONDITIONS, LEAVES
-from flexel.derive.program.lower import Lowering
-from flexel.derive.program.program import Program
+from flexel.derive.program.lower import ProgramLowering
+from flexel.derive.program.straight_line import Program
 
 _Y, _Z = sp.symbols("y z", real=True)
 _BY_NAME = {name: function for function, name in FUNCTIONS.items()}
@@ -23,7 +23,7 @@ _BY_NAME = {name: function for function, name in FUNCTIONS.items()}
 
 @cache
 def _derivatives(op: str) -> tuple[sp.Expr, ...]:
-    """Partial derivatives of an elementary function of y (and z)."""
+    """Return the partial derivatives of an elementary function of y (and z)."""
     if op == "sqrt":
         return (sp.diff(sp.sqrt(_Y), _Y),)
     if op == "atan2":
@@ -32,7 +32,7 @@ def _derivatives(op: str) -> tuple[sp.Expr, ...]:
 
 
 def partials(program: Program, number: int) -> list[tuple[int, int]]:
-    """Arguments of a row and the partial derivatives of the row with respect to them.
+    """Return the arguments of a row, and the partial derivatives of the row with respect to them.
 
     Returns
     -------
@@ -63,13 +63,13 @@ def partials(program: Program, number: int) -> list[tuple[int, int]]:
     elif op == "pow":
         pairs = _power(p, number)
     else:
-        lowering = Lowering(p, dict(zip((_Y, _Z), args, strict=False)))
+        lowering = ProgramLowering(p, dict(zip((_Y, _Z), args, strict=False)))
         pairs = [(arg, lowering.lower(d)) for arg, d in zip(args, _derivatives(op), strict=True)]
     return [(arg, partial) for arg, partial in pairs if p.constant(arg) is None]
 
 
 def _power(p: Program, number: int) -> list[tuple[int, int]]:
-    """Partials of y**z; z y**(z-1), unlike y**z z/y, is right at y = 0."""
+    """Return the partials of y**z; z y**(z-1), unlike y**z z/y, is right at y = 0."""
     base, exponent = p.rows[number].args
     lower = p.call("pow", base, p.sub(exponent, p.one))
     pairs = [(base, p.mul(exponent, lower))]
@@ -81,7 +81,7 @@ def _power(p: Program, number: int) -> list[tuple[int, int]]:
 def forward(
     program: Program, outputs: Sequence[int], seeds: Mapping[int, int], inputs: Sequence[int] = ()
 ) -> list[int]:
-    """Directional derivatives of the outputs.
+    """Compute directional derivatives of the outputs.
 
     Parameters
     ----------
@@ -120,7 +120,7 @@ def forward(
 
 
 def gradient(program: Program, output: int, inputs: Sequence[int]) -> list[int]:
-    """Gradient of one row, in one reverse sweep.
+    """Compute the gradient of one row, in one reverse sweep.
 
     Parameters
     ----------
@@ -188,7 +188,7 @@ class _Edges:
             self.out[start].add(end)
 
     def cost(self, vertex: int) -> int:
-        """Multiplications and additions that it takes to eliminate a vertex."""
+        """Count the multiplications and additions that it takes to eliminate a vertex."""
         into = self.into[vertex]
         constant = self.program.constant
         wide = sum(constant(partial) is None for partial in into.values())
@@ -210,7 +210,7 @@ class _Edges:
 
 
 def elimination(program: Program, outputs: Sequence[int], inputs: Sequence[int]) -> list[list[int]]:
-    """Derivatives of outputs by inputs, by eliminating intermediate rows in the order of their cost.
+    """Compute derivatives of outputs by inputs, by eliminating intermediate rows in the order of their cost.
 
     The chain rule may be applied in any order; forward and reverse sweeps are two of them. Here the row that is
     cheapest to remove goes first (Griewank and Walther 2008, Evaluating Derivatives, ch. 9: Markowitz rule).

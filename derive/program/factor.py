@@ -7,7 +7,7 @@ gets lost.
 from collections import Counter
 from collections.abc import Sequence
 
-from flexel.derive.program.program import Program
+from flexel.derive.program.straight_line import Program
 
 _SUMS = frozenset({"add", "sub", "neg"})
 
@@ -37,7 +37,7 @@ class _Factoring:
                 self.new[row] = self._plain(row, op, args)
 
     def _inner_rows(self) -> set[int]:
-        """Sums inside a sum and products inside a sum or product that are used only there."""
+        """Find sums inside a sum and products inside a sum or product that are used only there."""
         inner: set[int] = set()
         for row in self.order:
             op, args, _ = self.program.rows[row]
@@ -63,7 +63,7 @@ class _Factoring:
         return p.logic(op, *moved) if op in ("and", "or", "not") else p.call(op, *moved)
 
     def _terms(self, row: int) -> list[Term]:
-        """Terms of a sum, from left to right, down to terms that are used elsewhere or are not sums."""
+        """Return the terms of a sum, from left to right, down to terms that are used elsewhere or are not sums."""
         terms: list[Term] = []
         stack = [(row, False)]
         while stack:
@@ -77,7 +77,7 @@ class _Factoring:
         return terms
 
     def _factors(self, row: int) -> list[int]:
-        """New rows of the factors of a product."""
+        """Add rows of the factors of a product."""
         factors: list[int] = []
         stack = [row]
         while stack:
@@ -96,7 +96,7 @@ class _Factoring:
         return result
 
     def _sum(self, terms: list[Term]) -> int:
-        """Sum of terms: the factor that most of them share is taken out, and so on with both parts."""
+        """Add up terms: the factor that most of them share is taken out, and so on with both parts."""
         p = self.program
         done: list[int] = []
         pending = [terms]
@@ -117,13 +117,13 @@ class _Factoring:
 
 
 def _without(factors: tuple[int, ...], factor: int) -> tuple[int, ...]:
-    """The factors but one."""
+    """Return the factors without one of them."""
     where = factors.index(factor)
     return factors[:where] + factors[where + 1 :]
 
 
 def factored(program: Program, outputs: Sequence[int]) -> list[int]:
-    """Rows that are equal to the outputs and take fewer operations, if there are such.
+    """Return rows that are equal to the outputs and take fewer operations, if there are such.
 
     Names are carried over to the new rows.
     """

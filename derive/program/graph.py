@@ -8,7 +8,7 @@ LEAVES = frozenset({"const", "input"})
 CONDITIONS = frozenset({"lt", "le", "eq", "not", "and", "or"})
 
 
-class Row(NamedTuple):
+class TapeRow(NamedTuple):
     """One operation: its name, the rows it works on, and the value of a constant or the name of an input."""
 
     op: str
@@ -21,23 +21,23 @@ class Graph:
 
     Attributes
     ----------
-    rows : list of Row
+    rows : list of TapeRow
         Every argument of a row comes before it.
     names : dict of int to str
         Names that the author gave to rows.
     """
 
     def __init__(self) -> None:
-        self.rows: list[Row] = []
+        self.rows: list[TapeRow] = []
         self.names: dict[int, str] = {}
-        self._index: dict[Row, int] = {}
+        self._index: dict[TapeRow, int] = {}
         self._constant: list[bool] = []
         self.zero = self.const(0)
         self.one = self.const(1)
 
     def row(self, op: str, args: tuple[int, ...] = (), value: Fraction | str | None = None) -> int:
-        """Number of this row, new or known."""
-        row = Row(op, args, value)
+        """Return the number of this row, new or known."""
+        row = TapeRow(op, args, value)
         number = self._index.get(row)
         if number is None:
             number = len(self.rows)
@@ -49,11 +49,11 @@ class Graph:
     # -- leaves
 
     def const(self, value: Fraction | int) -> int:
-        """An exact constant."""
+        """Add an exact constant."""
         return self.row("const", (), Fraction(value))
 
     def input(self, name: str, parameter: bool = False) -> int:
-        """An input, known by its name; parameters count as constants (see `is_constant`)."""
+        """Add an input, known by its name; parameters count as constants (see `is_constant`)."""
         number = self.row("input", (), name)
         self._constant[number] = parameter
         return number
@@ -63,14 +63,14 @@ class Graph:
         return self._constant[a]
 
     def constant(self, a: int) -> Fraction | None:
-        """The value of a row that is a constant, else None."""
+        """Return the value of a row that is a constant, else None."""
         row = self.rows[a]
         return row.value if row.op == "const" and isinstance(row.value, Fraction) else None
 
     # -- reading
 
     def reachable(self, outputs: Iterable[int]) -> list[int]:
-        """Rows that the outputs need, themselves included, in ascending order."""
+        """Return the rows that the outputs need, themselves included, in ascending order."""
         seen: set[int] = set()
         stack = list(outputs)
         while stack:
@@ -81,11 +81,11 @@ class Graph:
         return sorted(seen)
 
     def operations(self, outputs: Iterable[int]) -> int:
-        """Number of operations that the outputs need; constants and inputs are none."""
+        """Count the operations that the outputs need; constants and inputs are none."""
         return sum(self.rows[number].op not in LEAVES for number in self.reachable(outputs))
 
     def in_order(self, outputs: Sequence[int]) -> list[int]:
-        """Rows that the outputs need, each as late as its first use asks for (depth first, left to right)."""
+        """Return the rows that the outputs need, each as late as its first use permits (depth first, left to right)."""
         done: set[int] = set()
         order: list[int] = []
         stack = [(number, False) for number in reversed(outputs)]

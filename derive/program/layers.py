@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 from flexel.derive.program.differentiate import elimination, forward, gradient
 from flexel.derive.program.narrowest import narrowest
-from flexel.derive.program.program import Program
+from flexel.derive.program.straight_line import Program
 
 Rows = list[int]
 Matrix = list[list[int]]
@@ -25,7 +25,7 @@ class Layer:
 
 
 def linear_layer(program: Program, outputs: Sequence[int], inputs: Sequence[int]) -> Layer:
-    """Fewest rows, linear in the inputs with constant coefficients, that stand between inputs and outputs."""
+    """Find the fewest rows, linear in the inputs with constant coefficients, that separate inputs from outputs."""
     region, used = _linear_region(program, outputs, inputs)
     rows = narrowest(region, inputs, used)
     columns = [forward(program, rows, {row: program.one}) for row in inputs]
@@ -35,7 +35,7 @@ def linear_layer(program: Program, outputs: Sequence[int], inputs: Sequence[int]
 def _linear_region(
     program: Program, outputs: Sequence[int], inputs: Sequence[int]
 ) -> tuple[dict[int, list[int]], Rows]:
-    """Rows that are linear in the inputs with constant coefficients (and their arguments), and the last of them."""
+    """Find rows linear in the inputs with constant coefficients (and their arguments), and the last of them."""
     region: dict[int, list[int]] = {row: [] for row in inputs}
     used = {row for row in outputs if row in region}
     for number in program.reachable(outputs):
@@ -53,7 +53,7 @@ def _linear_region(
 
 
 def product(program: Program, first: Matrix, second: Matrix) -> Matrix:
-    """Matrix product; the inner dimension is the length of the second."""
+    """Multiply matrices; the inner dimension is the length of the second."""
     columns = list(zip(*second, strict=True))
     return [
         [program.sum(program.mul(a, b) for a, b in zip(row, column, strict=True)) for column in columns]
@@ -62,17 +62,17 @@ def product(program: Program, first: Matrix, second: Matrix) -> Matrix:
 
 
 def transpose(matrix: Matrix) -> Matrix:
-    """Rows as columns."""
+    """Return the rows as columns."""
     return [list(row) for row in zip(*matrix, strict=True)]
 
 
 def flat(matrix: Matrix) -> Rows:
-    """All entries, row by row."""
+    """Return all entries, row by row."""
     return [entry for row in matrix for entry in row]
 
 
 def _plain(program: Program, outputs: Rows, inputs: Rows) -> Matrix:
-    """The Jacobian by forward sweeps, by reverse sweeps or by elimination, whichever takes the fewest operations."""
+    """Compute the Jacobian by forward sweeps, reverse sweeps or elimination, whichever takes the fewest operations."""
     columns = [forward(program, outputs, {i: program.one}, inputs) for i in inputs]
     candidates = [
         [gradient(program, output, inputs) for output in outputs],
@@ -87,7 +87,7 @@ def _cheapest(program: Program, candidates: Iterable[Matrix], also: Rows) -> Mat
 
 
 def jacobian(program: Program, outputs: Rows, inputs: Rows) -> Matrix:
-    """Derivatives of the outputs by the inputs, in whichever way takes the fewest operations."""
+    """Compute derivatives of the outputs by the inputs, in whichever way takes the fewest operations."""
     candidates = [_plain(program, outputs, inputs)]
     layer = linear_layer(program, outputs, inputs)
     if layer.rows and layer.rows != inputs:
@@ -96,7 +96,7 @@ def jacobian(program: Program, outputs: Rows, inputs: Rows) -> Matrix:
 
 
 def pulled_jacobian(program: Program, left: Matrix, outputs: Rows, inputs: Rows) -> Matrix:
-    """A constant matrix times the Jacobian of the outputs."""
+    """Compute a constant matrix times the Jacobian of the outputs."""
     layer = linear_layer(program, outputs, inputs)
     A = _plain(program, outputs, layer.rows)
     candidates = [
@@ -108,7 +108,7 @@ def pulled_jacobian(program: Program, left: Matrix, outputs: Rows, inputs: Rows)
 
 
 def hessian(program: Program, output: int, inputs: Rows) -> Matrix:
-    """Second derivatives of a row: one triangle is computed and serves for both."""
+    """Compute second derivatives of a row: one triangle is computed and serves for both."""
     layer = linear_layer(program, [output], inputs)
     if not layer.rows:
         return [[program.zero] * len(inputs) for _ in inputs]
@@ -120,7 +120,7 @@ def hessian(program: Program, output: int, inputs: Rows) -> Matrix:
 
 
 def _mirrored(matrix: Matrix) -> list[Matrix]:
-    """A symmetric matrix, from its upper and from its lower triangle."""
+    """Return a symmetric matrix, from its upper and from its lower triangle."""
     n = range(len(matrix))
     upper = [[matrix[min(i, j)][max(i, j)] for j in n] for i in n]
     return [upper, [[matrix[max(i, j)][min(i, j)] for j in n] for i in n]]

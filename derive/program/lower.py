@@ -12,7 +12,7 @@ from sympy import default_sort_key
 from sympy.core.basic import Basic
 
 from flexel.derive.declare.functions import FUNCTIONS
-from flexel.derive.program.program import Program
+from flexel.derive.program.straight_line import Program
 
 _DIGITS = 50
 
@@ -22,7 +22,7 @@ class LoweringError(ValueError):
 
 
 def exact(number: sp.Expr) -> Fraction:
-    """Exact value of a rational or floating-point number, 50 digits of an irrational one."""
+    """Return the exact value of a rational or floating-point number, 50 digits of an irrational one."""
     if isinstance(number, sp.Rational):
         return Fraction(int(number.p), int(number.q))
     if isinstance(number, sp.Float):
@@ -37,7 +37,7 @@ def _ordered(expr: Basic) -> list[Basic]:
     return list(expr.args)
 
 
-class Lowering:
+class ProgramLowering:
     """Lowers expressions into one program; remembers what it has lowered.
 
     Parameters
@@ -53,14 +53,17 @@ class Lowering:
 
     def let(self, symbol: sp.Symbol, expr: sp.Expr) -> int:
         """Lower a named intermediate; its name stays with the row."""
-        number = self.lower(expr)
+        return self.name(symbol, self.lower(expr))
+
+    def name(self, symbol: sp.Symbol, number: int) -> int:
+        """Let a symbol stand for a row, which takes its name."""
         self._known[symbol] = number
         if self.program.rows[number].op not in ("const", "input", "neg"):
             self.program.names.setdefault(number, symbol.name)
         return number
 
     def lower(self, expr: Basic) -> int:
-        """Row of an expression.
+        """Return the row of an expression.
 
         Raises
         ------
@@ -81,7 +84,7 @@ class Lowering:
         return known[sp.sympify(expr)]
 
     def _operands(self, expr: Basic) -> list[Basic]:
-        """Subexpressions that must be lowered before this one."""
+        """Return the subexpressions that must be lowered before this one."""
         if isinstance(expr, sp.Piecewise):
             return [part for pair in expr.args for part in pair.args]
         if isinstance(expr, sp.Pow):
@@ -110,7 +113,7 @@ class Lowering:
         return self._conditional(expr, args)
 
     def _product(self, args: list[int]) -> int:
-        """Product of constants times product of the others."""
+        """Multiply the product of the constants by the product of the others."""
         p = self.program
         parts = [p.one, p.one]
         for arg in args:
@@ -119,7 +122,7 @@ class Lowering:
         return p.mul(*parts)
 
     def _sum(self, args: list[int]) -> int:
-        """Sum, with the constant factors that several terms share taken out of them."""
+        """Add up, with the constant factors that several terms share taken out of them."""
         p = self.program
         groups: dict[int, dict[Fraction, list[int]]] = {}
         for arg in args:

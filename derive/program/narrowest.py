@@ -10,7 +10,7 @@ _ANY = 1 << 30
 def narrowest(
     arguments: Mapping[int, Collection[int]], sources: Collection[int], targets: Collection[int]
 ) -> list[int]:
-    """Vertices that every path from a source to a target passes; as few as possible, as near the targets as possible.
+    """Find vertices that every path from a source to a target passes; as few, and as near the targets, as possible.
 
     Parameters
     ----------
@@ -64,7 +64,7 @@ def _augment(left: dict[int, dict[int, int]]) -> bool:
 
 
 def _behind(left: dict[int, dict[int, int]]) -> set[int]:
-    """Everything from which the target can still be reached."""
+    """Find all vertices from which the target can still be reached."""
     behind = {_TARGET}
     queue = deque([_TARGET])
     while queue:

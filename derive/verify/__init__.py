@@ -6,29 +6,26 @@ the undifferentiated definition in 60 digits. Nothing of the differentiation in 
 either.
 """
 
-import json
 import sys
 import time
 from collections.abc import Iterable, Sequence
 from functools import cache
-from pathlib import Path
 
-import click
 from tqdm import tqdm
 
 from flexel.derive.declare import Element, Law
 from flexel.derive.spec import ElementSpec, LawSpec
-from flexel.derive.verify.check import element_rows, law_rows
-from flexel.derive.verify.compiled import Compiled, generated_elements
-from flexel.derive.verify.report import Row, Verification
+from flexel.derive.verify.kernel_calls import Compiled, generated_elements
+from flexel.derive.verify.kernel_comparison import element_rows, law_rows
+from flexel.derive.verify.report import KernelRow, Verification
 from flexel.derive.verify.samples import NOTHING, Ranges
 
-__all__ = ["Row", "Verification", "definitions", "main", "verify", "verify_generated"]
+__all__ = ["KernelRow", "Verification", "definitions", "verify", "verify_generated"]
 
 
 @cache
 def definitions() -> dict[str, Element | Law]:
-    """Definition of every built-in element and law, laws as ``law_<name>``; the formulas take a second or two."""
+    """Return the definitions of built-in elements and laws, laws as ``law_<name>``; formulas take a second or two."""
     from flexel.derive.elements import ELEMENTS
     from flexel.derive.laws import LAWS
 
@@ -37,7 +34,7 @@ def definitions() -> dict[str, Element | Law]:
 
 def verify(
     spec: ElementSpec | LawSpec, address: int, definition: Element | Law, ranges: Ranges = NOTHING
-) -> list[Row]:
+) -> list[KernelRow]:
     """Verify one element or law, built in or a user's own.
 
     Parameters
@@ -53,7 +50,7 @@ def verify(
 
     Returns
     -------
-    list of Row
+    list of KernelRow
     """
     compiled = Compiled(spec, address)
     if isinstance(definition, Law):
@@ -73,46 +70,17 @@ def verify_generated(names: Sequence[str] = (), progress: bool = False) -> Verif
     """
     start = time.perf_counter()
     compiled = generated_elements()
-    rows: list[Row] = []
+    rows: list[KernelRow] = []
     chosen: Iterable[str] = names or list(definitions())
     if progress:
         chosen = tqdm(chosen, desc="verify", unit="element", disable=not sys.stderr.isatty(), leave=False)
     for name in chosen:
         if name not in compiled:
-            rows.append(Row(name, "*", "*", float("nan"), float("inf"), False, "not generated"))
+            rows.append(KernelRow(name, "*", "*", float("nan"), float("inf"), False, "not generated"))
             continue
         try:
             rows += verify(*compiled[name], definitions()[name])
         except KeyboardInterrupt:
-            rows.append(Row(name, "*", "*", float("nan"), float("inf"), False, "interrupted"))
+            rows.append(KernelRow(name, "*", "*", float("nan"), float("inf"), False, "interrupted"))
             break
     return Verification(tuple(rows), time.perf_counter() - start)
-
-
-@click.command(context_settings={"help_option_names": ["-h", "--help"]})
-@click.argument("names", nargs=-1, metavar="[ELEMENT]...")
-@click.option(
-    "--json",
-    "json_file",
-    type=click.Path(dir_okay=False, writable=True, allow_dash=True),
-    metavar="FILE",
-    help="Write the numbers as JSON; - for stdout.",
-)
-def main(names: tuple[str, ...], json_file: str | None) -> None:
-    """Check every compiled kernel's derivatives; all elements and laws, or the named ones.
-
-    Exit status 0 only if every output is within its tolerance. A law is named law_<name>.
-    """
-    unknown = [name for name in names if name not in definitions()]
-    if unknown:
-        raise click.UsageError(f"no element or law '{unknown[0]}'; there are: {', '.join(definitions())}.")
-    if json_file is not None and not Path(json_file).absolute().parent.is_dir():
-        raise click.UsageError(
-            f"--json {json_file}: the folder does not exist; create it, or give another path."
-        )
-    result = verify_generated(names, progress=True)
-    click.echo(result.table(), err=json_file == "-")
-    if json_file is not None:
-        with click.open_file(json_file, "w") as stream:
-            stream.write(json.dumps(result.as_json(), indent=1) + "\n")
-    sys.exit(0 if result.ok else 1)

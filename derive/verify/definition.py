@@ -14,7 +14,7 @@ from typing import Any
 import mpmath
 import sympy as sp
 
-from flexel.derive.declare import TIME, Element, Law
+from flexel.derive.declare import Element, Law
 
 DIGITS = 60
 CONTEXT = Context(prec=DIGITS)
@@ -26,12 +26,12 @@ Vector = list[Decimal]
 
 
 def many_digits(values: Iterable[float]) -> Vector:
-    """Floating-point numbers as exactly the same numbers with many digits."""
+    """Convert floating-point numbers to exactly the same numbers with many digits."""
     return [Decimal(float(value)) for value in values]
 
 
 def _in_decimals(function: Callable[..., Number]) -> Callable[..., Decimal]:
-    """Function of mpmath as a function of decimal numbers."""
+    """Convert a function of mpmath to a function of decimal numbers."""
 
     @lru_cache(maxsize=KEPT)
     def of_decimals(*arguments: Decimal) -> Decimal:
@@ -43,7 +43,7 @@ def _in_decimals(function: Callable[..., Number]) -> Callable[..., Decimal]:
 
 @cache
 def _literal(value: int | tuple[int, int, int, int]) -> Decimal:
-    """Number written in an expression: an integer, or mpmath's sign, mantissa, exponent of two and bit count."""
+    """Convert a number in an expression: an integer, or mpmath's sign, mantissa, exponent of two and bit count."""
     if isinstance(value, int):
         return Decimal(value)
     sign, mantissa, exponent, _ = value
@@ -52,7 +52,7 @@ def _literal(value: int | tuple[int, int, int, int]) -> Decimal:
 
 @cache
 def _functions() -> dict[str, Any]:
-    """What the names in a printed expression stand for."""
+    """Return the objects that the names in a printed expression refer to."""
     names: dict[str, Any] = {"sqrt": lambda x: Decimal(x).sqrt(), "mpf": _literal}
     for name, value in vars(mpmath).items():
         if isinstance(value, type(mpmath.pi)):
@@ -65,7 +65,7 @@ def _functions() -> dict[str, Any]:
 def _compile(
     arguments: Sequence[sp.Symbol], expressions: Sequence[sp.Expr], let: Sequence[tuple[sp.Symbol, sp.Expr]]
 ) -> Callable[..., Vector]:
-    """Python function of the arguments for some expressions, by way of the named intermediates."""
+    """Return a Python function of the arguments for some expressions, by way of the named intermediates."""
     needed = set().union(*(expr.free_symbols for expr in expressions))
     used: list[tuple[sp.Symbol, sp.Expr]] = []
     for name, value in reversed(let):
@@ -81,7 +81,7 @@ def _compile(
 
 
 class Definition:
-    """D(x), s(x, v), T(x, v) and U(x) of an element, as functions of columns of decimal numbers.
+    """D(x), s(x, v), T(x, v), U(x) and the outputs of an element, as functions of columns of decimal numbers.
 
     To be used in the decimal context `CONTEXT`. The attribute `p` (np,) holds the parameters that they use.
     """
@@ -94,23 +94,30 @@ class Definition:
         self._slips = _compile([*x, *v, *p], [s.expr for s in element.slips], let)
         self._kinetic_energy = _compile([*x, *v, *p], [sp.sympify(element.kinetic_energy)], let)
         self._potential = _compile([*x, *p], [sp.sympify(element.potential)], let)
+        reported = [expr for output in element.outputs for expr in output.exprs]
+        self.reported = {output.name: output.shape for output in element.outputs}
+        self._outputs = _compile([*x, *element.forces, *element.values, *element.stresses, *p], reported, let)
         self.p: Vector = []
 
     def D(self, x: Vector) -> Vector:  # noqa: N802 (the mathematics' letters)
-        """Deformations, (m,)."""
+        """Return the deformations, (m,)."""
         return self._deformations(*x, *self.p)
 
     def s(self, x: Vector, v: Vector) -> Vector:
-        """Slips, (k,)."""
+        """Return the slips, (k,)."""
         return self._slips(*x, *v, *self.p)
 
     def T(self, x: Vector, v: Vector) -> Decimal:  # noqa: N802
-        """Kinetic energy."""
+        """Return the kinetic energy."""
         return self._kinetic_energy(*x, *v, *self.p)[0]
 
     def U(self, x: Vector) -> Decimal:  # noqa: N802
-        """Potential of the body forces."""
+        """Return the potential of the body forces."""
         return self._potential(*x, *self.p)[0]
+
+    def outputs(self, x: Vector, forces: Vector, e: Vector, stresses: Vector) -> Vector:
+        """Return all components of all outputs, from nodal forces (n,), deformations (m,) and stresses (m + k,)."""
+        return self._outputs(*x, *forces, *e, *stresses, *self.p)
 
 
 class LawDefinition:
@@ -120,17 +127,16 @@ class LawDefinition:
     """
 
     def __init__(self, law: Law) -> None:
-        arguments = [*law.e, *law.ed, *law.s, *law.z, TIME, *law.parameter_symbols]
         answers = (*law.sigma, *law.tau, *(state.rate for state in law.states))
-        self._answers = _compile(arguments, [sp.sympify(expr) for expr in answers], law.let)
-        self._energy = _compile(arguments, [sp.sympify(law.energy)], law.let)
+        self._answers = _compile(law.arguments, [sp.sympify(expr) for expr in answers], law.let)
+        self._energy = _compile(law.arguments, [sp.sympify(law.energy)], law.let)
         self.p: Vector = []
         self.t: Vector = []
 
     def answers(self, inputs: Vector) -> Vector:
-        """(sigma, tau, dz/dt), (m + k + nz,), of (e, ed, s, z)."""
+        """Return (sigma, tau, dz/dt), (m + k + nz,), as a function of (e, ed, s, z)."""
         return self._answers(*inputs, *self.t, *self.p)
 
     def energy(self, inputs: Vector) -> Decimal:
-        """Stored energy of (e, ed, s, z)."""
+        """Return the stored energy as a function of (e, ed, s, z)."""
         return self._energy(*inputs, *self.t, *self.p)[0]

@@ -2,8 +2,8 @@
 
 Central differences with two steps of Richardson's extrapolation (error of order h^6), from three initial
 steps; of the three, each entry takes the one that the extrapolation itself changed least. A whole stencil is
-one call of the compiled kernel. Outputs of the lowest order (e, V, s, M, U, and a law's stresses) have no
-kernel below them and are missing here; they are compared with the definition.
+one call of the compiled kernel. Outputs of the lowest order (e, V, s, M, U, an element's outputs and a law's stresses)
+have no kernel below them and are missing here; they are compared with the definition.
 """
 
 from collections.abc import Callable, Mapping
@@ -11,7 +11,7 @@ from collections.abc import Callable, Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from flexel.derive.verify.compiled import Compiled
+from flexel.derive.verify.kernel_calls import Compiled
 
 Array = NDArray[np.float64]
 Data = Mapping[str, Array]
@@ -24,7 +24,7 @@ _NO_PERIODS = np.zeros((1, 1))
 
 
 def along(function: Callable[[Data], Array], data: Data, motion: Data, periods: Array = _NO_PERIODS) -> Array:
-    """Derivative of a kernel's output along a motion of its inputs.
+    """Compute the derivative of a kernel's output along a motion of its inputs.
 
     Parameters
     ----------
@@ -46,7 +46,7 @@ def along(function: Callable[[Data], Array], data: Data, motion: Data, periods: 
 def _extrapolated(
     function: Callable[[Data], Array], data: Data, motion: Data, periods: Array, step: float
 ) -> tuple[Array, Array]:
-    """Derivative along a motion from one initial step, and the change in the last extrapolation."""
+    """Compute the derivative along a motion from one initial step, and the change in the last extrapolation."""
     steps = [sign * fraction * step for fraction in _FRACTIONS for sign in (1.0, -1.0)]
     moved = {
         name: np.concatenate([values + h * motion[name] if name in motion else values for h in steps])
@@ -67,7 +67,7 @@ def _extrapolated(
 
 
 def jacobian(function: Callable[[Data], Array], data: Data, name: str, periods: Array = _NO_PERIODS) -> Array:
-    """Derivative of a kernel's output by one of its inputs, (count, ..., rows of the input)."""
+    """Compute the derivative of a kernel's output by one of its inputs, (count, ..., rows of the input)."""
     count, rows = data[name].shape
     repeated = {key: np.repeat(values, rows, axis=0) for key, values in data.items()}
     directions = np.tile(np.eye(rows), (count, 1))
@@ -92,7 +92,7 @@ class Differences:
         self.periods = periods
 
     def outputs(self, kernel: str) -> dict[str, Array]:
-        """What can be had from the kernels below."""
+        """Compute what can be found from the kernels below; the kernel of the outputs has none."""
         table: dict[str, Callable[[], dict[str, Array]]] = {
             "position": self._position,
             "acceleration": self._acceleration,
@@ -101,6 +101,7 @@ class Differences:
             "kinematics": self._kinematics,
             "stiffness": self._stiffness,
             "tangent": self._tangent,
+            "outputs": dict,
         }
         return table[kernel]()
 
@@ -116,7 +117,7 @@ class Differences:
         return {"g": rates[:, :m], "gs": rates[:, m:]}
 
     def _mode_rates(self, data: Data) -> Array:
-        """De v and V v."""
+        """Return De v and V v."""
         position = self.call("position", data)
         B = np.concatenate([position["De"], position["V"]], axis=1)
         return np.asarray(np.einsum("bij,bj->bi", B, data["v"]))
@@ -170,7 +171,7 @@ class Differences:
 
 
 def law_differences(compiled: Compiled, kernel: str, data: Data) -> dict[str, Array]:
-    """The tangent of a law from its stresses and rates of z, and the dissipated power from its stored energy."""
+    """Compute a law's tangent from its stresses and rates of z, and its dissipated power from its stored energy."""
     law = compiled("law", data)
     if kernel == "law":
         motion = {"e": data["ed"], "z": law["zd"]}

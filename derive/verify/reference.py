@@ -5,6 +5,7 @@ below that for third derivatives too. Energies are quadratic in the rates, so th
 differences with a step of one.
 """
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from decimal import Decimal, localcontext
 
@@ -30,19 +31,19 @@ def _unit(n: int, i: int) -> Vector:
 
 
 def _central(function: Callable[[Decimal], Vector]) -> Vector:
-    """First derivative at zero of a column that depends on one number."""
+    """Return the first derivative at zero of a column that depends on one number."""
     plus, minus = function(_STEP), function(-_STEP)
     return [(a - b) / (2 * _STEP) for a, b in zip(plus, minus, strict=True)]
 
 
 def _central_second(function: Callable[[Decimal], Vector]) -> Vector:
-    """Second derivative at zero of a column that depends on one number."""
+    """Return the second derivative at zero of a column that depends on one number."""
     plus, middle, minus = function(_STEP), function(Decimal(0)), function(-_STEP)
     return [(a - 2 * b + c) / _STEP**2 for a, b, c in zip(plus, middle, minus, strict=True)]
 
 
 def _columns(function: Callable[[Vector], Vector], x: Vector, rows: int, columns: Sequence[int]) -> Array:
-    """Some columns of the Jacobian of a function, (rows, len(x)); the others are not-a-number."""
+    """Compute some columns of the Jacobian of a function, (rows, len(x)); the others are not-a-number."""
     jacobian = np.full((rows, len(x)), np.nan)
     for j in columns:
         direction = _unit(len(x), j)
@@ -61,7 +62,7 @@ class Reference:
     ----------
     definition : Definition
     data : mapping
-        The inputs x, v, a, p, sigma, tau of the kernels, one column each.
+        The inputs x, v, a, p, e, sigma, tau of the kernels, one column each.
     columns : sequence of int
         The columns of the tangents that are worth their time.
     """
@@ -69,13 +70,13 @@ class Reference:
     def __init__(self, definition: Definition, data: Mapping[str, Array], columns: Sequence[int]) -> None:
         self.d = definition
         self.x, self.v, self.a = (many_digits(data[name]) for name in ("x", "v", "a"))
-        self.sigma, self.tau = many_digits(data["sigma"]), many_digits(data["tau"])
+        self.e, self.sigma, self.tau = (many_digits(data[name]) for name in ("e", "sigma", "tau"))
         definition.p = many_digits(data["p"])
         self.every = range(definition.n)
         self.columns = columns
 
     def outputs(self, kernel: str) -> dict[str, Array]:
-        """The outputs of a kernel by name; entries that were not requested are not-a-number."""
+        """Compute the outputs of a kernel by name; entries that were not requested are not-a-number."""
         table: dict[str, Callable[[], dict[str, Array]]] = {
             "position": self._position,
             "acceleration": self._acceleration,
@@ -84,6 +85,7 @@ class Reference:
             "kinematics": self._kinematics,
             "stiffness": self._stiffness,
             "tangent": self._tangent,
+            "outputs": self._outputs,
         }
         with localcontext(CONTEXT):
             return table[kernel]()
@@ -102,11 +104,11 @@ class Reference:
         return _central(lambda t: self.d.D(_moved(x, t, v)))
 
     def _mode_rates(self, x: Vector, v: Vector) -> Vector:
-        """Phi = (De v, s)."""
+        """Return Phi = (De v, s)."""
         return [*self._deformation_rates(x, v), *self.d.s(x, v)]
 
     def _mode_accelerations(self, x: Vector, v: Vector, a: Vector) -> Vector:
-        """Psi: second derivative of D, first of s, along the motion x + v t + a t^2/2."""
+        """Return Psi: second derivative of D, first of s, along the motion x + v t + a t^2/2."""
         d = self.d
         e = _central_second(lambda t: d.D(_moved(_moved(x, t, v), t * t / 2, a)))
         s = _central(lambda t: d.s(_moved(x, t, v), _moved(v, t, a)))
@@ -127,7 +129,7 @@ class Reference:
         return {"K": _columns(self._nodal_forces, self.x, self.d.n, self.every)}
 
     def _nodal_forces(self, x: Vector) -> Vector:
-        """De' sigma + V' tau, (n,)."""
+        """Return De' sigma + V' tau, (n,)."""
         d, forces = self.d, []
         for i in self.every:
             unit = _unit(d.n, i)
@@ -135,8 +137,15 @@ class Reference:
             forces.append(_dot(self.sigma, De_i) + _dot(self.tau, d.s(x, unit)))
         return forces
 
+    def _outputs(self) -> dict[str, Array]:
+        values = self.d.outputs(self.x, self._nodal_forces(self.x), self.e, [*self.sigma, *self.tau])
+        ends = np.cumsum([math.prod(shape) for shape in self.d.reported.values()])
+        parts = np.split(_array(values), ends[:-1])
+        pairs = zip(self.d.reported.items(), parts, strict=True)
+        return {name: part.reshape(shape) for (name, shape), part in pairs}
+
     def _momenta(self, x: Vector, v: Vector) -> Vector:
-        """M v, exactly, from the energy."""
+        """Return M v, exactly, from the energy."""
         d, values = self.d, []
         for i in self.every:
             unit = _unit(d.n, i)
@@ -151,7 +160,7 @@ class Reference:
         return gradient
 
     def _residual(self, x: Vector, v: Vector, a: Vector, body_forces: bool = True) -> Vector:
-        """M a + h - f: Lagrange's d(dT/dv)/dt - dT/dx + dU/dx along the motion (v, a)."""
+        """Return M a + h - f: Lagrange's d(dT/dv)/dt - dT/dx + dU/dx along the motion (v, a)."""
         inertia = _central(lambda t: self._momenta(_moved(x, t, v), _moved(v, t, a)))
         centrifugal = self._gradient(lambda y: self.d.T(y, v))(x)
         weight = self._gradient(self.d.U)(x) if body_forces else [Decimal(0)] * self.d.n
@@ -176,7 +185,7 @@ class Reference:
 
 
 def law_outputs(definition: LawDefinition, kernel: str, data: Mapping[str, Array]) -> dict[str, Array]:
-    """Outputs of a kernel of a law at one state; `data` has its inputs e, ed, s, z, t, p."""
+    """Compute the outputs of a kernel of a law at one state; `data` has its inputs e, ed, s, z, t, p."""
     e, ed, s, z = (many_digits(data[name]) for name in ("e", "ed", "s", "z"))
     definition.p, definition.t = many_digits(data["p"]), many_digits(data["t"])
     m, k, nz = len(e), len(s), len(z)

@@ -8,7 +8,7 @@ REFERENCE_TOLERANCE = 1e-12
 
 
 @dataclass(frozen=True)
-class Row:
+class KernelRow:
     """One output of one kernel, with its worst relative errors.
 
     Parameters
@@ -47,7 +47,7 @@ class Row:
 class Verification:
     """All rows of a run, and the time it took [s]."""
 
-    rows: tuple[Row, ...]
+    rows: tuple[KernelRow, ...]
     seconds: float
 
     @property
@@ -56,7 +56,7 @@ class Verification:
         return bool(self.rows) and all(row.ok for row in self.rows)
 
     def as_json(self) -> dict[str, object]:
-        """Plain data; a number that is not finite becomes null."""
+        """Return plain data; a number that is not finite becomes null."""
 
         def number(value: float) -> float | None:
             return value if abs(value) < float("inf") else None
@@ -69,7 +69,7 @@ class Verification:
         return {"ok": self.ok, "tolerances": tolerances, "seconds": self.seconds, "rows": rows}
 
     def table(self) -> str:
-        """The rows as text, one line each, and a line that sums up."""
+        """Return the rows as text, one line each, and a line that sums up."""
         head = ("element", "kernel", "output", "differences", "definition", "batch", "")
         lines = [head, *(_cells(row) for row in self.rows)]
         widths = [max(len(line[i]) for line in lines) for i in range(len(head))]
@@ -88,7 +88,7 @@ class Verification:
         )
 
 
-def _cells(row: Row) -> tuple[str, ...]:
+def _cells(row: KernelRow) -> tuple[str, ...]:
     # a nan is "not applicable" in the one column, a failure in the other
     differences = "-" if row.differences != row.differences else f"{row.differences:.1e}"
     verdict = "ok" if row.ok else f"NOT OK {row.note}".rstrip()

@@ -14,7 +14,7 @@ import sympy as sp
 from numpy.typing import NDArray
 
 from flexel.derive.declare import TIME, Element, Law, Parameter
-from flexel.derive.verify.compiled import Compiled
+from flexel.derive.verify.kernel_calls import Compiled
 
 Array = NDArray[np.float64]
 Ranges = Mapping[str, tuple[float, float]]
@@ -32,7 +32,7 @@ def _unit_vectors(rng: np.random.Generator, count: int, size: int) -> Array:
 
 
 def _parameter(rng: np.random.Generator, count: int, parameter: Parameter) -> Array:
-    """Unit vectors and unit quaternions where there is no unit; positive scalars; any other vectors."""
+    """Draw unit vectors and unit quaternions where there is no unit; positive scalars; any other vectors."""
     if parameter.size in (3, 4) and parameter.unit == "1":
         return _unit_vectors(rng, count, parameter.size)
     if parameter.size == 1:
@@ -57,7 +57,7 @@ def _coordinates(rng: np.random.Generator, count: int, element: Element) -> Arra
 
 
 def _inside(rng: np.random.Generator, element: Element, compiled: Compiled, x: Array, p: Array) -> Array:
-    """Coordinates drawn again where the element has no deformation, such as pulleys inside one another."""
+    """Draw coordinates again where the element has no deformation, such as pulleys inside one another."""
     for _ in range(100):
         outside = ~np.isfinite(compiled("position", {"x": x, "p": p})["e"]).all(axis=1)
         if not outside.any():
@@ -67,7 +67,7 @@ def _inside(rng: np.random.Generator, element: Element, compiled: Compiled, x: A
 
 
 def _relaxed(compiled: Compiled, x: Array, p: Array) -> Array:
-    """Coordinates with (nearly) zero deformations, by least-norm Newton steps of bounded length.
+    """Return coordinates with (nearly) zero deformations, by least-norm Newton steps of bounded length.
 
     Not-a-number where the steps lead out of the domain of the deformations.
     """
@@ -86,7 +86,7 @@ def _relaxed(compiled: Compiled, x: Array, p: Array) -> Array:
 def _limits(
     symbols: Sequence[sp.Symbol], parameters: Sequence[Parameter], ranges: Ranges
 ) -> tuple[Array, Array]:
-    """Lowest and highest values (rows,) of the symbols, not-a-number where the ranges say nothing."""
+    """Return the lowest and highest values (rows,) of the symbols, not-a-number where the ranges say nothing."""
     by_symbol = {s.name: ranges[p.name] for p in parameters if p.name in ranges for s in p.symbols}
     by_symbol |= {s.name: ranges[s.name] for s in symbols if s.name in ranges}
     limits = np.array([by_symbol.get(s.name, (np.nan, np.nan)) for s in symbols]).reshape(-1, 2)
@@ -94,7 +94,7 @@ def _limits(
 
 
 def _within(rng: np.random.Generator, values: Array, low: Array, high: Array) -> Array:
-    """The values (count, rows), replaced by random ones between limits where there are limits."""
+    """Replace values (count, rows) by random ones between limits where there are limits."""
     return np.where(np.isnan(low), values, low + (high - low) * rng.uniform(size=values.shape))
 
 
@@ -103,16 +103,13 @@ def check_ranges(declared: Element | Law, ranges: Ranges) -> None:
 
     The two numbers of a parameter may be equal.
     """
-    if isinstance(declared, Law):
-        symbols = [*declared.e, *declared.ed, *declared.s, *declared.z, TIME, *declared.parameter_symbols]
-    else:
-        symbols = [*declared.x, *declared.parameter_symbols]
+    symbols = declared.arguments
     known = list(dict.fromkeys([*(p.name for p in declared.parameters), *(s.name for s in symbols)]))
     for name, limits in ranges.items():
         if name not in known:
             raise ValueError(f"'{declared.name}': a range of '{name}'; there are {', '.join(known)}")
         try:
-            low, high = (float(z) for z in limits)
+            low, high = (float(limit) for limit in limits)
         except (TypeError, ValueError):
             low = high = np.nan
         fixed = low == high and name not in [s.name for s in symbols if s not in declared.parameter_symbols]
@@ -123,7 +120,7 @@ def check_ranges(declared: Element | Law, ranges: Ranges) -> None:
 def element_samples(
     element: Element, compiled: Compiled, count: int, ranges: Ranges = NOTHING, redraw: bool = True
 ) -> dict[str, Array]:
-    """Inputs of all kernels of an element, each (count, rows), every second near zero deformation.
+    """Draw inputs of all kernels of an element, each (count, rows), every second near zero deformation.
 
     `ranges` limits coordinates and parameters by name, in place of those that follow from their kinds.  Coordinates
     at which the element has no real deformation are drawn again, unless `redraw` says not.
@@ -153,11 +150,12 @@ def element_samples(
         "p": p,
         "sigma": rng.normal(size=(count, m)),
         "tau": rng.normal(size=(count, k)),
+        "e": rng.normal(size=(count, m)),
     }
 
 
 def law_samples(law: Law, count: int, ranges: Ranges = NOTHING) -> dict[str, Array]:
-    """Inputs of the kernels of a law, each (count, rows); `ranges` as in `element_samples`."""
+    """Draw inputs of the kernels of a law, each (count, rows); `ranges` as in `element_samples`."""
     rng = _generator(law.name)
     m, k = len(law.e), len(law.s)
     samples = {
@@ -175,5 +173,5 @@ def law_samples(law: Law, count: int, ranges: Ranges = NOTHING) -> dict[str, Arr
 
 
 def lanes(data: Mapping[str, Array], chosen: slice) -> dict[str, Array]:
-    """Some elements of a batch."""
+    """Return some elements of a batch."""
     return {name: values[chosen] for name, values in data.items()}

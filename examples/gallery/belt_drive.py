@@ -10,7 +10,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import flexel as fx
-from flexel.pictures.plot import draw
+from flexel.apps.view.plot import draw
 
 radius, inertia, k = (0.05, 0.15), (0.002, 0.03), 5e4
 m = fx.Model()
@@ -32,7 +32,7 @@ found = abs(lin.eigenvalues()).max()
 known = np.sqrt(2 * k * (radius[0] ** 2 / inertia[0] + radius[1] ** 2 / inertia[1]))
 print("the belt's frequency", found, "closed form", known, "rad/s")
 
-plt.style.use("flexel.pictures.style")
+plt.style.use("flexel.apps.view.style")
 figure, (left, right) = plt.subplots(1, 2, figsize=(7.5, 3.4))
 draw(motion[-1], left)
 figure.suptitle("Two pulleys and their belt")

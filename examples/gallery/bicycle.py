@@ -38,11 +38,11 @@ loci = s.root_loci(rates={"spin.angle": -speeds / 0.3}, of=["lean.angle", "steer
 
 growth = loci.eigenvalues.real.max(axis=1)
 change = np.flatnonzero(np.diff(np.sign(growth)))
-found = [np.interp(0, z * growth[i : i + 2], speeds[i : i + 2]) for i, z in zip(change, (-1, 1), strict=True)]
+found = speeds[change] - growth[change] * np.diff(speeds)[change] / np.diff(growth)[change]
 known = [4.29238253634111, 6.02426201538837]  # published
-print("weave and capsize speed", np.array(found), "published", known, "m/s")
+print("weave and capsize speed", found, "published", known, "m/s")
 
-plt.style.use("flexel.pictures.style")
+plt.style.use("flexel.apps.view.style")
 plt.plot(speeds, loci.eigenvalues.real, "k.", markersize=2)
 plt.axvspan(*found, alpha=0.2, label="stable")
 plt.gca().set(ylim=(-6, 2), xlabel="speed [m/s]", ylabel="real part of the eigenvalues [1/s]")

@@ -31,11 +31,11 @@ impact = s.simulate(
 )
 found, known = (
     -impact["bounce.gap"].min(),
-    brentq(lambda z: 0.4 * K * z**2.5 - mass * 9.81 * (height + z), 0, 0.01),
+    brentq(lambda depth: 0.4 * K * depth**2.5 - mass * 9.81 * (height + depth), 0, 0.01),
 )
 print("deepest", found, "Hertz", known, "m")
 
-plt.style.use("flexel.pictures.style")
+plt.style.use("flexel.apps.view.style")
 figure, (left, right) = plt.subplots(1, 2, figsize=(7.5, 3.4))
 left.plot(motion.t, motion["ball.z"] - radius)
 left.set(xlabel="time [s]", ylabel="height [m]")

@@ -25,7 +25,7 @@ found = [mode.multiplier for mode in modes]
 known = [(i * np.pi / length) ** 2 * EI for i in (1, 2, 3)]
 print("buckling loads", found, "Euler", known, "N")
 
-plt.style.use("flexel.pictures.style")
+plt.style.use("flexel.apps.view.style")
 for mode in modes:
     x = [mode.shape.get(f"P{i}.x", 0) for i in range(n + 1)]
     plt.plot(x, np.linspace(0, length, n + 1), label=f"{mode.multiplier:.4g} N")

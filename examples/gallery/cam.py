@@ -41,7 +41,7 @@ found = force[50]  # after a quarter of a turn, on top of the lobe
 known = preload + k * h / 2 + mass * 9.81 - mass * h / 2 * speed**2
 print("contact force on top of the lobe", found, "closed form", known, "N")
 
-plt.style.use("flexel.pictures.style")
+plt.style.use("flexel.apps.view.style")
 plt.plot(motion["shaft.angle"], force)
 plt.xlabel("angle of the cam [rad]")
 plt.ylabel("contact force [N]")

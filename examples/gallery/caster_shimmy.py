@@ -33,7 +33,7 @@ found = np.sort_complex(values[abs(values) > 1e-6])  # the turn of the wheel its
 print("eigenvalues", found, "closed form", known, "1/s")
 
 motion = s.simulate(1.2, start=s.state_at(rates={"fork.angle": 0.05}), samples=601)
-plt.style.use("flexel.pictures.style")
+plt.style.use("flexel.apps.view.style")
 plt.plot(motion["pivot.x"], 1000 * motion["pivot.y"])
 plt.xlabel("distance travelled [m]")
 plt.ylabel("lateral displacement of the pivot [mm]")

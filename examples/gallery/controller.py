@@ -11,7 +11,7 @@ import numpy as np
 from scipy.linalg import solve_continuous_are
 
 import flexel as fx
-from flexel.pictures.plot import draw
+from flexel.apps.view.plot import draw
 
 m = fx.Model(gravity=(0, -9.81))
 m.point("cart", (0, 0))
@@ -37,7 +37,7 @@ known = np.sort_complex(np.linalg.eigvals(A - B @ K))
 print("eigenvalues of the model", found, "of the design", known, "1/s")
 
 motion = s.simulate(6, start=s.state_at({"pivot.angle": 0.5}))
-plt.style.use("flexel.pictures.style")
+plt.style.use("flexel.apps.view.style")
 figure, (left, right) = plt.subplots(1, 2, figsize=(7.5, 3.4))
 draw(motion[0], left)
 right.plot(motion.t, motion["cart.x"], label="position of the cart [m]")

@@ -33,7 +33,7 @@ motions = {periods: crane(periods).simulate(16) for periods in (1.3, 1.8346)}
 found, known = crane(1).linearize().modes()[0].omega, 2 * np.pi / period
 print("swings at", found, "closed form", known, "rad/s")
 
-plt.style.use("flexel.pictures.style")
+plt.style.use("flexel.apps.view.style")
 for periods, motion in motions.items():
     plt.plot(motion.t, motion["load.x"] - motion["trolley.x"], label=f"{periods} periods")
 plt.xlabel("time [s]")

@@ -11,7 +11,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import flexel as fx
-from flexel.pictures.plot import draw
+from flexel.apps.view.plot import draw
 
 plate, arm, rod, down = 0.1, 0.2, 0.45, 0.3
 m = fx.Model(gravity=(0, 0, -9.81))
@@ -37,7 +37,7 @@ drop = arm * np.cos(down) + out * arm * np.sin(down) / np.sqrt(
 known = np.full(3, 9.81 * drop / 3)
 print("torques of the motors at rest", found, "by virtual work", known, "N m")
 
-plt.style.use("flexel.pictures.style")
+plt.style.use("flexel.apps.view.style")
 axes = plt.figure(figsize=(5, 5)).add_subplot(projection="3d")
 axes.plot(*motion.position("tool").T)
 draw(motion[0], axes, fx.View(centre=(0, 0, -0.3), span=0.9))

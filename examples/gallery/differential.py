@@ -24,7 +24,7 @@ found = [float(motion.acceleration(f"{name}.angle")[0]) for name in inertia]
 known = [torque / 2 / value for value in inertia.values()]
 print("accelerations", found, "closed form", known, "rad/s²")
 
-plt.style.use("flexel.pictures.style")
+plt.style.use("flexel.apps.view.style")
 for name in ("left", "cage", "right"):
     plt.plot(motion.t, motion.rate(f"{name}.angle"), label=name)
 plt.xlabel("time [s]")

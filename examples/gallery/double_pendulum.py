@@ -10,7 +10,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import flexel as fx
-from flexel.pictures.plot import draw
+from flexel.apps.view.plot import draw
 
 m = fx.Model(gravity=(0, -9.81))
 m.point("O", (0, 0), fixed=True)
@@ -31,7 +31,7 @@ stiffness = np.diag([2 * length[0], length[1]]) * 9.81
 known = np.sqrt(np.sort(np.linalg.eigvals(np.linalg.solve(inertia, stiffness))))
 print("frequencies", found, "closed form", known, "rad/s")
 
-plt.style.use("flexel.pictures.style")
+plt.style.use("flexel.apps.view.style")
 figure, axes = plt.subplots(figsize=(5, 5))
 axes.plot(*motion.position("B").T, lw=0.6)
 draw(motion[0], axes, fx.View(centre=(0, -0.2, 0), span=4.2))

@@ -9,7 +9,7 @@ A stage on two leaf springs moves along a straight line, nearly: for small motio
 import matplotlib.pyplot as plt
 
 import flexel as fx
-from flexel.pictures.plot import draw
+from flexel.apps.view.plot import draw
 
 length, EI, EA = 0.1, 0.05, 1e8
 m = fx.Model()
@@ -35,7 +35,7 @@ found = 12e-3 / small.position("left 4")[0]
 known = 24 * EI / length**3
 print("stiffness", found, "closed form", known, "N/m")
 
-plt.style.use("flexel.pictures.style")
+plt.style.use("flexel.apps.view.style")
 figure, (left, right) = plt.subplots(1, 2, figsize=(7.5, 3.4))
 draw(path[-1], left)
 right.plot(1000 * moved, 1000 * (path["left 4.y"] - length), label="computed")

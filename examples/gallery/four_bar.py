@@ -10,7 +10,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import flexel as fx
-from flexel.pictures.plot import draw
+from flexel.apps.view.plot import draw
 
 crank, coupler, rocker, base = 0.1, np.hypot(0.33, 0.14), 0.25, 0.4
 m = fx.Model()
@@ -32,7 +32,7 @@ far = [(base**2 + rocker**2 - (coupler + sign * crank) ** 2) / (2 * base * rocke
 known = np.arccos(far)
 print("the rocker swings between", np.degrees(found), "closed form", np.degrees(known), "degrees")
 
-plt.style.use("flexel.pictures.style")
+plt.style.use("flexel.apps.view.style")
 figure, (left, right) = plt.subplots(1, 2, figsize=(7.5, 3.4))
 draw(motion[0], left)
 right.plot(motion.t, np.degrees(angle))

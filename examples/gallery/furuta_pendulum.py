@@ -38,7 +38,7 @@ m.controller(B.T @ X, inputs=lin.states, outputs=["motor.angle"])
 s = m.build()
 motion = s.simulate(4, start=s.state_at({"joint.angle": 0.3}))
 
-plt.style.use("flexel.pictures.style")
+plt.style.use("flexel.apps.view.style")
 plt.plot(motion.t, motion["joint.angle"], label="pendulum")
 plt.plot(motion.t, motion["motor.angle"], label="arm")
 plt.xlabel("time [s]")

@@ -10,7 +10,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import flexel as fx
-from flexel.pictures.plot import draw
+from flexel.apps.view.plot import draw
 
 sun, planet = 20, 15  # teeth
 ring = sun + 2 * planet
@@ -31,7 +31,7 @@ found = motion["sun.angle"][-1] / motion["carrier.angle"][-1]
 known = 1 + ring / sun
 print("the sun turns", found, "times as fast as the carrier, closed form", known)
 
-plt.style.use("flexel.pictures.style")
+plt.style.use("flexel.apps.view.style")
 figure, (left, right) = plt.subplots(1, 2, figsize=(7.5, 3.4))
 draw(motion[0], left)
 figure.suptitle("Planetary gear train")

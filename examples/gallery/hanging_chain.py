@@ -21,11 +21,11 @@ rest = s.equilibrium(stable=True)
 
 shape = np.array([rest.position(node.name) for node in chain.points])
 length = np.hypot(*np.diff(shape.T)).sum()
-c = brentq(lambda z: 2 * z * np.sinh(span / (2 * z)) - length, 0.1, 1.0)
+c = brentq(lambda trial: 2 * trial * np.sinh(span / (2 * trial)) - length, 0.1, 1.0)
 found, known = -shape[:, 1].min(), c * (np.cosh(span / (2 * c)) - 1)
 print("sag", found, "of the catenary", known, "m")
 
-plt.style.use("flexel.pictures.style")
+plt.style.use("flexel.apps.view.style")
 plt.plot(*shape.T, "o", markersize=3, label="links")
 x = np.linspace(0, span, 101)
 plt.plot(x, c * (np.cosh((x - span / 2) / c) - np.cosh(span / (2 * c))), label="catenary")

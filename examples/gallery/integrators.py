@@ -26,7 +26,7 @@ cases = {
     "generalized-alpha": (1e-4, 1e-6, 1e-8),
 }
 print(f"{'method':18}{'tolerance':>10}{'evaluations':>13}{'error':>10} m")
-plt.style.use("flexel.pictures.style")
+plt.style.use("flexel.apps.view.style")
 for method, tolerances in cases.items():
     costs, errors = [], []
     for tolerance in tolerances:

@@ -29,22 +29,22 @@ for end, body, x, R, load, crown, mass in wheels:
     own = law | {"load0": load, "rolling_radius": R - 0.004, "cornering": (load / 120, 2)}
     own |= {"radius": R, "axle": (0, 1, 0), "crown": crown}
     m.tyre(f"{end} tyre", wheel.point, wheel.frame, law="magic_formula", **own)
-angles = [f"{z}.angle" for z in ("yaw", "lean", "pitch", "steer", "rear spin", "front spin")]
+angles = [f"{name}.angle" for name in ("yaw", "lean", "pitch", "steer", "rear spin", "front spin")]
 m.independent("machine.x", "machine.y", "machine.z", *angles)
 s = m.build()
 v = np.linspace(5, 60, 111)
 rates = {"machine.x": v, "rear spin.angle": v / 0.306, "front spin.angle": v / 0.296}
-start = s.steady(rates={z: r[0] for z, r in rates.items()}, unknown=["machine.z", "pitch.angle"])
+start = s.steady(rates={name: r[0] for name, r in rates.items()}, unknown=["machine.z", "pitch.angle"])
 values = s.root_loci(start, rates=rates).eigenvalues
 
 masses = {"machine": 240, "fork": 12, "rear": 18, "front": 14}
-moment = sum(9.81 * z * (start[f"{body}.x"] - start["rear.x"]) for body, z in masses.items())
+moment = sum(9.81 * mass * (start[f"{body}.x"] - start["rear.x"]) for body, mass in masses.items())
 front = moment / (start["front.x"] - start["rear.x"])
 known = np.array([9.81 * sum(masses.values()) - front, front])
 found = np.array([start.force("rear tyre.deflection"), start.force("front tyre.deflection")])
 print("loads of the tyres", found, "statics", known, "N")
 
-plt.style.use("flexel.pictures.style")
+plt.style.use("flexel.apps.view.style")
 plt.scatter(v.repeat(values.shape[1]), values.real, 5, abs(values.imag) / 6.2832)
 plt.colorbar(label="frequency [Hz]")
 plt.gca().set(ylim=(-12, 5), xlabel="speed [m/s]", ylabel="real part of the eigenvalues [1/s]")

@@ -31,7 +31,7 @@ def torques(design: np.ndarray) -> np.ndarray:
     m.spring("spring.elongation", design[0], preload=design[1])
     m.independent("arm.angle")
     s = m.build()
-    states = [s.state_at({"arm.angle": z}) for z in angles]
+    states = [s.state_at({"arm.angle": angle}) for angle in angles]
     return np.array([mass * l**2 * state.acceleration("arm.angle") for state in states])
 
 
@@ -41,7 +41,7 @@ stiffness = mass * 9.81 * l / (a * b)
 known = np.array([stiffness, stiffness * np.hypot(a, b)])
 print("stiffness and tension", found, "closed form", known)
 
-plt.style.use("flexel.pictures.style")
+plt.style.use("flexel.apps.view.style")
 plt.plot(np.degrees(angles), torques(first), label="first guess")
 plt.plot(np.degrees(angles), torques(found), label="optimum")
 plt.xlabel("angle of the arm [°]")

@@ -38,7 +38,7 @@ motion = s.simulate(period, start=s.state_at(rates={"P.x": 0, "P.y": 1.2}), rtol
 found, known = motion.position("P")[-1], (1, 0)
 print("after Kepler's period the planet is at", found, "and was at", known)
 
-plt.style.use("flexel.pictures.style")
+plt.style.use("flexel.apps.view.style")
 plt.plot(*motion.position("P").T, label="planet")
 plt.plot(0, 0, "yo", markersize=12, label="sun")
 plt.gca().set(xlabel="x [m]", ylabel="y [m]", aspect="equal", title="Orbit of a planet")

@@ -11,7 +11,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import flexel as fx
-from flexel.pictures.plot import draw
+from flexel.apps.view.plot import draw
 
 a, b, c = 0.25, 0.5, 0.2
 m = fx.Model()
@@ -35,7 +35,7 @@ x, y = motion.position("far").T
 found, known = x, np.full_like(x, far)
 print("largest distance from the straight line", abs(found - known).max(), "m over", np.ptp(y), "m")
 
-plt.style.use("flexel.pictures.style")
+plt.style.use("flexel.apps.view.style")
 figure, axes = plt.subplots(figsize=(5, 4))
 for name in ("near", "upper", "far"):
     axes.plot(*motion.position(name).T, label=name)

@@ -32,7 +32,7 @@ print("natural frequencies", found, "textbook", known, "rad/s")
 A, B, c, d = lin.state_space(["displacement:road.y"], ["chassis.y", "hub.y"])
 hertz = np.geomspace(0.2, 30, 400)
 answer = [c @ np.linalg.solve(2j * np.pi * f * np.eye(len(A)) - A, B) + d for f in hertz]
-plt.style.use("flexel.pictures.style")
+plt.style.use("flexel.apps.view.style")
 plt.loglog(hertz, abs(np.array(answer)[:, :, 0]), label=["body", "wheel"])
 plt.xlabel("frequency [Hz]")
 plt.ylabel("amplitude / amplitude of the road [-]")

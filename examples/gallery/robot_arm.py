@@ -10,7 +10,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import flexel as fx
-from flexel.pictures.plot import draw
+from flexel.apps.view.plot import draw
 
 l, mass, g = (0.5, 0.4), (2.0, 1.0), 9.81
 m = fx.Model(gravity=(0, -g))
@@ -36,7 +36,7 @@ inertia = l[1] ** 2 * (add + bdd) + l[0] * l[1] * (np.cos(b) * add + np.sin(b) *
 known = mass[1] * (inertia + g * l[1] * np.cos(a + b))
 print("largest difference of the elbow's torque from the textbook", abs(found - known).max(), "N m")
 
-plt.style.use("flexel.pictures.style")
+plt.style.use("flexel.apps.view.style")
 figure, (left, right) = plt.subplots(1, 2, figsize=(7.5, 3.4))
 left.plot(*motion.position("hand").T)
 draw(motion[40], left, fx.View(centre=(0.2, 0.1, 0), span=2))

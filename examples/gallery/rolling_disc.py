@@ -37,7 +37,7 @@ print("falls at", found, "closed form", known, "1/s; stable above", critical, "r
 wobble = s.simulate(
     6, start=s.state_at(rates={"roll.angle": -1.2 * critical, "lean.angle": 0.2, "yaw.angle": 0})
 )
-plt.style.use("flexel.pictures.style")
+plt.style.use("flexel.apps.view.style")
 figure, (left, right) = plt.subplots(1, 2, figsize=(7.5, 3.4))
 left.plot(speeds / critical, growth)
 left.set(xlabel="speed / critical speed [-]", ylabel="growth rate [1/s]", title="stability")

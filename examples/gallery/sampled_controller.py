@@ -14,7 +14,7 @@ import flexel as fx
 
 
 def upright() -> fx.Model:
-    """A rod that falls."""
+    """Build a rod that falls."""
     m = fx.Model(gravity=(0, -9.81))
     m.point("O", (0, 0), fixed=True)
     m.point("tip", (0, 1))
@@ -37,7 +37,7 @@ known = np.sort_complex(np.linalg.eigvals(np.block([[Ad, Bd], [-K, np.zeros((1, 
 found = np.sort_complex(s.linearize().sampled().eigenvalues()[:3])
 print("eigenvalues of one period", found, "of the discrete system", known)
 
-plt.style.use("flexel.pictures.style")
+plt.style.use("flexel.apps.view.style")
 figure, (left, right) = plt.subplots(1, 2, figsize=(7.5, 3.4))
 for start in (0.3, 0.45, 0.5):
     motion = s.simulate(1.5, start=s.state_at({"motor.angle": start}), samples=601)

@@ -10,7 +10,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import flexel as fx
-from flexel.pictures.plot import draw
+from flexel.apps.view.plot import draw
 
 r, l, speed = 0.1, 0.3, 20.0
 m = fx.Model()
@@ -29,7 +29,7 @@ phi = motion["crank.angle"]
 found, known = motion["B.x"], r * np.cos(phi) + np.sqrt(l**2 - (r * np.sin(phi)) ** 2)
 print("largest difference from the closed form", abs(found - known).max(), "m")
 
-plt.style.use("flexel.pictures.style")
+plt.style.use("flexel.apps.view.style")
 figure, (left, right) = plt.subplots(1, 2, figsize=(7.5, 3.4))
 draw(motion[30], left)
 right.plot(motion.t, motion.force("rod.elongation"))

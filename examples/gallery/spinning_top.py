@@ -34,7 +34,7 @@ nodding = s.simulate(2, start=s.state_at({"tilt.angle": tilt}, rates), samples=1
 found, known = steady["yaw.angle"][-1] / 2, slow
 print("steady precession at", found, "closed form", known, "rad/s")
 
-plt.style.use("flexel.pictures.style")
+plt.style.use("flexel.apps.view.style")
 figure, axes = plt.subplots(figsize=(5, 5), subplot_kw={"projection": "polar"})
 for motion, label in ((steady, "steady"), (nodding, "let go")):
     axes.plot(motion["yaw.angle"], np.degrees(motion["tilt.angle"]), label=label)

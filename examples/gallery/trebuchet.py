@@ -10,7 +10,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import flexel as fx
-from flexel.pictures.plot import draw
+from flexel.apps.view.plot import draw
 
 m = fx.Model(gravity=(0, -9.81))
 m.point("axis", (0, 3), fixed=True)
@@ -36,7 +36,7 @@ reach = x + vx * (vy + np.sqrt(vy**2 + 2 * 9.81 * np.maximum(y, 0))) / 9.81  # i
 best = np.argmax(reach)
 print(f"opened after {motion.t[best]:.3f} s it throws {reach[best]:.0f} m")
 
-plt.style.use("flexel.pictures.style")
+plt.style.use("flexel.apps.view.style")
 figure, (left, right) = plt.subplots(1, 2, figsize=(7.5, 3.6))
 left.plot(*motion.position("stone")[: best + 1].T)
 draw(motion[best], left, fx.View(centre=(-1, 4.5, 0), span=11))

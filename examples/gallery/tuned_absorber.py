@@ -36,7 +36,7 @@ found, known = response(best, fixed), np.full(2, np.sqrt(1 + 2 / mu))
 print("height of the fixed points", found, "Den Hartog", known)
 
 omega = np.linspace(0.7, 1.3, 400)
-plt.style.use("flexel.pictures.style")
+plt.style.use("flexel.apps.view.style")
 for damping in (best / 4, best, 3 * best):
     plt.semilogy(omega, response(damping, omega), label=f"damping ratio {damping:.2f}")
 plt.plot(fixed, found, "ko", label="fixed points")

@@ -12,7 +12,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import flexel as fx
-from flexel.pictures.plot import draw
+from flexel.apps.view.plot import draw
 
 m = fx.Model()
 m.point("O", (0, 0), fixed=True)
@@ -33,7 +33,7 @@ height = motion["foot.y"]
 found, known = height[[0, 200]], np.array([4, 2 * np.sqrt(6)])
 print("height of the tip in the middle of step and lift", found, "closed form", known)
 
-plt.style.use("flexel.pictures.style")
+plt.style.use("flexel.apps.view.style")
 figure, axes = plt.subplots(figsize=(4.5, 5))
 axes.plot(*motion.position("foot").T)
 draw(motion[60], axes, fx.View(centre=(2, 2.5, 0), span=7))

@@ -33,7 +33,7 @@ last = loci.eigenvalues[-1].imag
 found = np.sort(last[last > 1])
 print("whirls at the highest speed", found, "closed form", known, "rad/s")
 
-plt.style.use("flexel.pictures.style")
+plt.style.use("flexel.apps.view.style")
 plt.plot(speeds, np.sort(abs(loci.eigenvalues.imag))[:, 2:], "k.", markersize=3)
 plt.plot(speeds, speeds, "--", label="whirl = speed: critical speeds")
 plt.xlabel("speed of the shaft [rad/s]")

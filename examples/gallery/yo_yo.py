@@ -25,7 +25,7 @@ found = np.array([-motion.acceleration("spool.y")[0], tension])
 known = (9.81 / (1 + J / (mass * r**2)), mass * 9.81 / (1 + mass * r**2 / J))
 print("acceleration and tension", found, "closed form", known, "m/s², N")
 
-plt.style.use("flexel.pictures.style")
+plt.style.use("flexel.apps.view.style")
 figure, (left, right) = plt.subplots(1, 2, figsize=(7.5, 3.4))
 left.plot(motion.t, motion["spool.y"])
 left.set(xlabel="time [s]", ylabel="height [m]")

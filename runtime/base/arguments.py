@@ -1,4 +1,4 @@
-"""Checks of user input before anything is computed: numbers, vectors, names."""
+"""Checks user input before anything is computed: numbers, vectors, names."""
 
 from __future__ import annotations
 
@@ -16,15 +16,15 @@ from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.base.near_names import near_names, quantities_of
 
-LARGEST = 1e150  # beyond it squares overflow
-SMALLEST = 1e-150  # of positive numbers: below it squares vanish
-LONGEST_NAME = 255  # bytes in the name of a file or folder, on all usual systems
+LARGEST = 1e150  # beyond it, squares overflow
+MIN_POSITIVE = 1e-150  # of positive numbers: below it, squares vanish
+MAX_NAME_BYTES = 255  # bytes in the name of a file or folder, on all usual systems
 FORMULAS = "=+-@"  # a spreadsheet executes what begins with one of these
-SHOWN = 12  # known names in a message
+MAX_NAMES_SHOWN = 12  # known names in a message
 
 
 def array(value: Any, owner: str, what: str) -> Array:
-    """A float array of finite numbers of any shape; text, None and objects are refused.
+    """Return a float array of finite numbers of any shape; refuse text, None and objects.
 
     Raises
     ------
@@ -40,17 +40,18 @@ def array(value: Any, owner: str, what: str) -> Array:
         numeric = False
     if not numeric:
         raise ModelError(f"{owner}: {what} {_shown(value)} is not numeric; give real numbers")
-    if not (np.abs(given) <= LARGEST).all():
-        if not np.isfinite(given).all():
+    found = np.array(given, dtype=float)
+    if not (np.abs(found) <= LARGEST).all():
+        if not np.isfinite(found).all():
             raise ModelError(f"{owner}: {what} {_shown(value)} is not finite; give finite numbers")
         raise ModelError(
             f"{owner}: {what} {_shown(value)} is too large to calculate with; give at most {LARGEST:g}"
         )
-    return np.array(given, dtype=float)
+    return found
 
 
 def vector(value: Any, owner: str, what: str, size: int) -> Array:
-    """A float array (size,) of finite numbers, or a ModelError that names the owner."""
+    """Return a float array (size,) of finite numbers, or raise a ModelError that names the owner."""
     d = array(value, owner, what)
     if d.shape != (size,):
         raise ModelError(f"{owner}: {what} {_shown(value)} has shape {d.shape}; give {size} numbers")
@@ -58,7 +59,7 @@ def vector(value: Any, owner: str, what: str, size: int) -> Array:
 
 
 def number(value: Any, owner: str, what: str) -> float:
-    """One finite number, or a ModelError that names the owner."""
+    """Return one finite number, or raise a ModelError that names the owner."""
     if isinstance(value, float) and -LARGEST <= value <= LARGEST:
         return float(value)
     d = array(value, owner, what)
@@ -68,7 +69,7 @@ def number(value: Any, owner: str, what: str) -> float:
 
 
 def numbers(values: Mapping[str, Any] | None, owner: str, what: str) -> dict[str, float]:
-    """Finite numbers by name, or a ModelError that names the owner and the offending entry."""
+    """Return finite numbers by name, or raise a ModelError that names the owner and the offending entry."""
     if values is None:
         return {}
     if not isinstance(values, Mapping):
@@ -77,14 +78,14 @@ def numbers(values: Mapping[str, Any] | None, owner: str, what: str) -> dict[str
 
 
 def index(value: Any, owner: str, what: str) -> int:
-    """A whole number, or a ModelError that names the owner."""
+    """Return a whole number, or raise a ModelError that names the owner."""
     if isinstance(value, bool) or not isinstance(value, (int, np.integer)):
         raise ModelError(f"{owner}: {what} {_shown(value)} is not a whole number; give one")
     return int(value)
 
 
 def whole(value: Any, owner: str, what: str, least: int = 1, most: int = 10**9) -> int:
-    """A whole number from `least` to `most`, or a ModelError that names the owner."""
+    """Return a whole number from `least` to `most`, or raise a ModelError that names the owner."""
     given = index(value, owner, what)
     if not least <= given <= most:
         limit = f"{least} or more" if given < least else f"at most {most}"
@@ -93,21 +94,21 @@ def whole(value: Any, owner: str, what: str, least: int = 1, most: int = 10**9) 
 
 
 def flag(value: Any, owner: str, what: str) -> bool:
-    """True or False, or a ModelError that names the owner: a text such as "no" would count as true."""
+    """Return True or False, or raise a ModelError that names the owner: a text such as "no" would count as true."""
     if not isinstance(value, (bool, np.bool_)):
         raise ModelError(f"{owner}: {what} {_shown(value)} is neither True nor False; give one of them")
     return bool(value)
 
 
 def text(value: Any, owner: str, what: str) -> str:
-    """A text, or a ModelError that names the owner."""
+    """Return a text, or raise a ModelError that names the owner."""
     if not isinstance(value, str):
         raise ModelError(f"{owner}: {what} {_shown(value)} is not a string; give one")
     return value
 
 
 def mapping(value: Any, owner: str, what: str) -> Mapping[str, Any]:
-    """A mapping from names, empty for None; a ModelError that names the owner otherwise."""
+    """Return a mapping from names, empty for None, or raise a ModelError that names the owner."""
     if value is None:
         return {}
     if not isinstance(value, Mapping) or not all(isinstance(name, str) for name in value):
@@ -116,38 +117,38 @@ def mapping(value: Any, owner: str, what: str) -> Mapping[str, Any]:
 
 
 def path_of(value: Any, owner: str) -> Path:
-    """A path, or a ModelError that names the owner."""
+    """Return a path, or raise a ModelError that names the owner."""
     if not isinstance(value, (str, PathLike)) or not str(value) or not _possible(str(value)):
         raise ModelError(f"{owner}: {_shown(value)} is not a path; give one as text")
     return Path(value)
 
 
 def _possible(path: str) -> bool:
-    """Whether a file can have this path: no null character, letters that can be encoded, no name of over 255 bytes."""
+    """Check that a file can have this path: no null character, encodable letters, no name of over 255 bytes."""
     try:
         written = os.fsencode(path)
     except UnicodeEncodeError:
         return False
-    return b"\0" not in written and max(map(len, written.split(os.fsencode(os.sep)))) <= LONGEST_NAME
+    return b"\0" not in written and max(map(len, written.split(os.fsencode(os.sep)))) <= MAX_NAME_BYTES
 
 
 def names(given: Any, owner: str) -> tuple[str, ...]:
-    """A sequence of names; a single text is refused, because its letters would count as names."""
+    """Return a sequence of names; refuse a single text, because its letters would count as names."""
     listed = tuple(given) if isinstance(given, Iterable) and not isinstance(given, str) else None
-    if listed is None or not all(isinstance(z, str) for z in listed):
+    if listed is None or not all(isinstance(item, str) for item in listed):
         raise ModelError(f"{owner}: {_shown(given)} is not a list of names; write ['…', '…']")
     return listed
 
 
 def new_name(name: Any, kind: str) -> str:
-    """A name from which quantity names can be formed, or a ModelError."""
+    """Return a name from which quantity names can be formed, or raise a ModelError."""
     if not isinstance(name, str) or not re.fullmatch(r"[^\s.':][^.':]*", name):
         raise ModelError(f"{kind} {name!r}: a name is text without dots, colons or quotes; choose another")
     return storable(name, kind)
 
 
 def storable(name: str, kind: str) -> str:
-    """A name that every file format holds and no spreadsheet takes for a formula, or a ModelError."""
+    """Return a name that every file format holds and no spreadsheet reads as a formula, or raise a ModelError."""
     if any(category(letter) in ("Cc", "Cs") for letter in name):
         raise ModelError(
             f"{kind} {name!r}: a name has no control characters and no halves of characters, which files cannot hold; "
@@ -166,7 +167,7 @@ def _shown(value: Any) -> str:
 
 
 def quantities(given: Any, owner: str) -> tuple[str, ...]:
-    """Names of coordinates, deformations or slips; nodes and lists are refused."""
+    """Return names of coordinates, deformations or slips; refuse nodes and lists."""
     for name in given:
         if not isinstance(name, str):
             raise ModelError(
@@ -177,19 +178,19 @@ def quantities(given: Any, owner: str) -> tuple[str, ...]:
 
 
 def positive(value: Any, owner: str, what: str) -> float:
-    """A positive finite number, or a ModelError."""
+    """Return a positive finite number, or raise a ModelError."""
     given = number(value, owner, what)
     if given <= 0:
         raise ModelError(f"{owner}: {what} {given:g} is not positive; give a positive value")
-    if given < SMALLEST:
+    if given < MIN_POSITIVE:
         raise ModelError(
-            f"{owner}: {what} {given:g} is too small to calculate with; give at least {SMALLEST:g}"
+            f"{owner}: {what} {given:g} is too small to calculate with; give at least {MIN_POSITIVE:g}"
         )
     return given
 
 
 def not_negative(value: Any, owner: str, what: str) -> float:
-    """A finite number that is zero or positive, or a ModelError."""
+    """Return a finite number that is zero or positive, or raise a ModelError."""
     given = number(value, owner, what)
     if given < 0:
         raise ModelError(f"{owner}: {what} {given:g} is negative; give zero or a positive value")
@@ -197,7 +198,7 @@ def not_negative(value: Any, owner: str, what: str) -> float:
 
 
 def span(xp: Array, xq: Array, owner: str) -> tuple[Array, float]:
-    """Direction and length of the line between two points."""
+    """Return the direction and length of the line between two points."""
     line = xq - xp
     length = float(np.linalg.norm(line))
     if length < 1e-12 * max(1.0, float(np.max(np.abs(xp)))):
@@ -208,20 +209,20 @@ def span(xp: Array, xq: Array, owner: str) -> tuple[Array, float]:
 
 
 def unknown(name: str, known: Iterable[str], kind: str = "name") -> str:
-    """Message for a name that does not exist, with the nearest ones that do."""
+    """Write the message for an unknown name, with the most similar known names."""
     names = list(dict.fromkeys(known))
-    near = near_names(name, names)
-    if near:
-        return f"unknown {kind} '{name}'; did you mean {', '.join(near)}?"
+    similar = near_names(name, names)
+    if similar:
+        return f"unknown {kind} '{name}'; did you mean {', '.join(similar)}?"
     part = name.rpartition(".")[0]
     mates = quantities_of(part, names)
     where, shown = (f"'{part}' has ", mates) if mates else ("known: ", names)
-    more = f", … ({len(shown)} in all)" * (len(shown) > SHOWN)
-    return f"unknown {kind} '{name}'; {where}{', '.join(shown[:SHOWN])}{more}"
+    more = f", … ({len(shown)} in all)" * (len(shown) > MAX_NAMES_SHOWN)
+    return f"unknown {kind} '{name}'; {where}{', '.join(shown[:MAX_NAMES_SHOWN])}{more}"
 
 
 def step_limit(value: Any, owner: str, what: str, least: float = 0.0) -> float:
-    """A number above `least`; a ModelError otherwise."""
+    """Return a number above `least`, or raise a ModelError."""
     checked = number(value, owner, what)
     if checked <= least:
         raise ModelError(f"{owner}: {what} {checked:g} is too small; give more than {least:g}")

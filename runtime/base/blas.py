@@ -1,4 +1,4 @@
-"""Small matrices in one thread: the threads of BLAS would wait for one another longer than they gain.
+"""Runs small matrix operations in one thread, because the threads of BLAS wait longer for one another than they gain.
 
 Measured with two processors, choosing degrees of freedom of a vehicle (187 coordinates): 20 ms in one thread; with two
 21 ms on an idle machine, 150 to 600 ms on a busy one, and 870 ms each from eight threads at once, instead of 15 ms.
@@ -17,31 +17,33 @@ from threadpoolctl import ThreadpoolController
 
 
 class _Limit:
-    """The limit of one thread, valid from the first caller that enters it until the last one leaves."""
+    """A limit of one thread, in force from the first caller that enters it until the last one leaves."""
 
     def __init__(self) -> None:
         self._lock = Lock()
         self._users = 0
-        self._here = local()  # how many of them are in this thread
+        self._here = local()  # number of callers in this thread
         self._set: Any = None
 
     @cached_property
     def _controller(self) -> Any:
-        """The libraries that are loaded at first use, listed once: this takes 8 ms, and a limit 0.02 ms."""
+        """The libraries loaded at first use, listed once: this takes 8 ms, and a limit takes 0.02 ms."""
         return ThreadpoolController()
 
     def threads(self) -> list[int]:
-        """The number of threads of each of these libraries."""
-        return [z["num_threads"] for z in self._controller.info() if z["user_api"] == "blas"]
+        """Return the number of threads of each library."""
+        return [
+            library["num_threads"] for library in self._controller.info() if library["user_api"] == "blas"
+        ]
 
     def renew(self) -> None:
-        """In a forked child, only the forking thread remains, and no other holds the lock."""
+        """Reset the lock in a forked child, where only the forking thread remains."""
         self._lock = Lock()
         self._users = getattr(self._here, "users", 0)
 
     @contextmanager
     def __call__(self) -> Iterator[None]:
-        """BLAS works in the calling thread in this context; the earlier setting is restored after it."""
+        """Run BLAS in the calling thread within this context; restore the earlier setting afterwards."""
         with self._lock:
             if not self._users:
                 self._set = self._controller.limit(limits=1, user_api="blas")

@@ -5,10 +5,11 @@ Every message has the form ``kind 'name': fact; remedy``.
 
 from __future__ import annotations
 
-from flexel.derive.errors import ElementError, FlexelError
+from flexel.derive.definition_errors import ElementError, FlexelError
 
 __all__ = [
     "AssemblyWarning",
+    "AuditWarning",
     "CompilerError",
     "ConstraintError",
     "CoordinateWarning",
@@ -41,11 +42,15 @@ class PositionError(FlexelError, RuntimeError):
 
 
 class DynamicsError(FlexelError, RuntimeError):
-    """The equations of motion cannot be solved or integrated (singular mass matrix, failed step)."""
+    """The equations of motion cannot be solved or integrated: a singular mass matrix, or a failed step."""
 
 
 class CoordinateWarning(UserWarning):
     """The degrees of freedom are nearly singular at a state: the message names them, and those used in their place."""
+
+
+class AuditWarning(UserWarning):
+    """A motion contradicts itself: the message says by how much, where, and the remedy; see `Motion.warnings`."""
 
 
 class DampingWarning(UserWarning):
@@ -53,11 +58,11 @@ class DampingWarning(UserWarning):
 
 
 class IncompleteWarning(UserWarning):
-    """An analysis is incomplete: the message reports what was reached and where it stopped."""
+    """An analysis is incomplete: the message says what was reached and where it stopped."""
 
 
 class UnsteadyWarning(UserWarning):
-    """Eigenvalues or modes of a state that accelerates are requested: they do not describe its motion."""
+    """Eigenvalues or modes are requested for an accelerating state, whose motion they do not describe."""
 
 
 class AssemblyWarning(UserWarning):
@@ -65,7 +70,7 @@ class AssemblyWarning(UserWarning):
 
 
 class ModelWarning(UserWarning):
-    """A part of a model is probably a mistake: a node without an element, a number that suggests another unit."""
+    """A part of a model is probably a mistake: a node without an element, a value that suggests a different unit."""
 
 
 class UnstableWarning(UserWarning):
@@ -77,7 +82,7 @@ class RangeWarning(UserWarning):
 
 
 class StiffWarning(UserWarning):
-    """An explicit integration will be long because the system is stiff: the message says how long, and the remedy."""
+    """An explicit integration will take long because the system is stiff: the message says how long, and the remedy."""
 
 
 class CompilerError(FlexelError, RuntimeError):

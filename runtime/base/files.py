@@ -1,4 +1,4 @@
-"""Files that are written completely or not at all: beside their destination, flushed to the disk, then renamed."""
+"""Writes files completely or not at all: next to their destination, flushed to the disk, then renamed."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from flexel.base.errors import FlexelError
 
 @contextmanager
 def replacing(path: str | Path, owner: str = "save", *, trial: bool = False) -> Iterator[Path]:
-    """A new file that replaces `path` at the end of the block; if the block fails, the old file remains unchanged.
+    """Open a new file that replaces `path` at the end of the block; if the block fails, the old file is unchanged.
 
-    Of several writers the last complete one wins.  What is not a regular file, such as a pipe, is written directly.
+    If several writers run at once, the last complete file wins.  A pipe, or another special file, is written directly.
 
     Parameters
     ----------
@@ -51,7 +51,7 @@ def replacing(path: str | Path, owner: str = "save", *, trial: bool = False) -> 
 
 @contextmanager
 def written(owner: str, kept: str = "") -> Iterator[None]:
-    """Turn the errors of the operating system in a block that writes files into those of flexel.
+    """Turn operating-system errors in a block that writes files into flexel's errors.
 
     Parameters
     ----------
@@ -74,7 +74,7 @@ def written(owner: str, kept: str = "") -> Iterator[None]:
 
 
 def _mode(target: Path) -> int:
-    """Permissions of the file that is replaced, or of a new one."""
+    """Return the permissions of the file to be replaced, or those of a new one."""
     if target.exists():
         return target.stat().st_mode & 0o777
     mask = os.umask(0)
@@ -83,7 +83,7 @@ def _mode(target: Path) -> int:
 
 
 def _flush(path: Path) -> None:
-    """Wait until a file, or the entries of a folder, are on the disk."""
+    """Wait until a file, or the entries of a folder, is on the disk."""
     number = os.open(path, os.O_RDONLY)
     try:
         os.fsync(number)

@@ -1,6 +1,6 @@
 """Second-order jets: numbers with their first and second rates; operators and NumPy functions accept them.
 
-What a function compares can be watched: the differences of both sides show when the function will not be smooth.
+The comparisons in a function can be watched: the differences of their two sides show when it will not be smooth.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ _WATCHING = threading.local()
 
 @contextmanager
 def watched() -> Iterator[list[Jet]]:
-    """Collect the differences of all jets that are compared meanwhile in this thread."""
+    """Collect the differences of all jets compared in this thread within the block."""
     before = getattr(_WATCHING, "differences", None)
     found: list[Jet] = []
     _WATCHING.differences = found
@@ -28,7 +28,7 @@ def watched() -> Iterator[list[Jet]]:
 
 
 def _note(difference: Jet) -> None:
-    """Add the difference of two jets that are compared, if comparisons are watched."""
+    """Add the difference of two compared jets, if comparisons are being watched."""
     differences: list[Jet] | None = getattr(_WATCHING, "differences", None)
     if differences is not None:
         differences.append(difference)
@@ -99,7 +99,7 @@ class Jet:
         self.value, self.rate, self.acceleration = float(value), float(rate), float(acceleration)
 
     def chain(self, y: float, d: float, dd: float) -> Jet:
-        """The jet of f(self) from f, f' and f'' at the value."""
+        """Return the jet of f(self) from f, f' and f'' at the value."""
         return Jet(y, d * self.rate, dd * self.rate**2 + d * self.acceleration)
 
     def __array_ufunc__(self, ufunc: Any, method: str, *inputs: Any, **kwargs: Any) -> Any:
@@ -112,7 +112,7 @@ class Jet:
         operator = _BINARY.get(ufunc)
         if operator is None:
             raise TypeError(f"numpy.{ufunc.__name__} has no rates here; give the triple (u, u', u'') instead")
-        return operator(*(z if isinstance(z, Jet) else Jet(z) for z in inputs))
+        return operator(*(value if isinstance(value, Jet) else Jet(value) for value in inputs))
 
     def __array_function__(self, function: Any, types: Any, args: Any, kwargs: Any) -> Any:
         found = _FUNCTIONS.get(function, function._implementation)
@@ -170,7 +170,7 @@ class Jet:
         return self.chain(*_UNARY[np.absolute](self.value))
 
     def _compared(self, o: Any) -> float:
-        """The value less that of another number, whose difference is noted."""
+        """Return the difference from another number, and note it."""
         difference = self + (-as_jet(o))
         _note(difference)
         return difference.value
@@ -192,27 +192,27 @@ class Jet:
 
 
 def as_jet(value: Any) -> Jet:
-    """The jet of a number or a jet; a number has no rates."""
+    """Return the jet of a number or a jet; a number has no rates."""
     if isinstance(value, np.ndarray) and value.shape == ():  # from np.where
         value = value.item()
     return value if isinstance(value, Jet) else Jet(value)
 
 
 def _to_whole(u: Jet) -> Jet:
-    """The difference of a jet and the whole number that it meets next."""
+    """Return the difference between a jet and the next whole number it will reach."""
     whole = np.floor(u.value) + 1 if u.rate > 0 else np.ceil(u.value) - 1
     return u + Jet(-whole)
 
 
 def _applied(function: Any, *arguments: Any) -> Any:
-    """A NumPy function of jets, which NumPy's own types do not admit."""
+    """Apply a NumPy function to jets, which NumPy's types do not accept."""
     return function(*arguments)
 
 
 def _interpolated(
     x: Jet, times: Any, values: Any, left: float | None = None, right: float | None = None
 ) -> Jet:
-    """`np.interp`: straight lines between given points, constant outside."""
+    """Evaluate `np.interp`: straight lines between given points, constant outside."""
     t, u = np.asarray(times, dtype=float), np.asarray(values, dtype=float)
     i = int(np.searchsorted(t, x.value, side="right" if x.rate > 0 else "left"))
     ahead = i if x.rate > 0 else i - 1
@@ -223,15 +223,15 @@ def _interpolated(
 
 
 def _clipped(x: Jet, least: Any = None, most: Any = None) -> Any:
-    """`np.clip`."""
+    """Evaluate `np.clip`."""
     above = x if least is None else _applied(np.maximum, x, least)
     return above if most is None else _applied(np.minimum, above, most)
 
 
-# NumPy functions that are not universal, and have a meaning of their own for a jet
+# NumPy functions that are not universal functions and are implemented separately for jets
 _FUNCTIONS: dict[Any, Callable[..., Any]] = {np.interp: _interpolated, np.clip: _clipped}
 
-# what is zero where a NumPy function of one argument is not smooth
+# quantities that are zero where a NumPy function of one argument is not smooth
 _KINKED: dict[Any, Callable[[Jet], Jet]] = {
     np.absolute: lambda u: u,
     np.sign: lambda u: u,

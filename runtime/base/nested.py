@@ -1,6 +1,6 @@
-"""Functions of the user that run within an evaluation: a controller or a load may use the system that it belongs to.
+"""Runs user functions within an evaluation: a controller or a load may use the system it belongs to.
 
-What the function computes must not overwrite the arrays of the evaluation that has called it: each level has its own.
+The function's computations must not overwrite the arrays of the evaluation that called it: each level has its arrays.
 """
 
 from __future__ import annotations
@@ -13,11 +13,11 @@ from typing import Generic, TypeVar
 from flexel.base.errors import ModelError
 
 T = TypeVar("T")
-DEEPEST = 5  # levels: a function that calls itself by way of its system has no end
+MAX_DEPTH = 5  # levels; a function that calls itself through its system never ends
 
 
 class _Here(threading.local):
-    """How many functions of the user run in this thread, each called by the evaluation of the one before."""
+    """Return how many user functions run in this thread, each called by the evaluation of the previous one."""
 
     depth = 0
 
@@ -26,7 +26,7 @@ _HERE = _Here()
 
 
 class Within:
-    """A context in which a function of the user runs.
+    """Provide a context in which a user function runs.
 
     Raises
     ------
@@ -35,7 +35,7 @@ class Within:
     """
 
     def __enter__(self) -> None:
-        if _HERE.depth == DEEPEST:
+        if _HERE.depth == MAX_DEPTH:
             raise ModelError(
                 "the function evaluates the system that calls it, without end; let it use a system without this "
                 "function, built from another model"
@@ -52,14 +52,14 @@ WITHIN = Within()
 
 
 class Levels(Generic[T]):
-    """An object for each thread and level, made when it is first needed."""
+    """An object for each thread and level, created when first needed."""
 
     def __init__(self, make: Callable[[], T]) -> None:
         self._make = make
         self._threads = threading.local()
 
     def present(self) -> T:
-        """The object of this thread and level."""
+        """Return the object of this thread and level."""
         name = "first" if not _HERE.depth else f"level {_HERE.depth}"
         found: T | None = getattr(self._threads, name, None)
         if found is None:

@@ -1,7 +1,7 @@
 """Properties that are computed once, in whichever thread needs them first.
 
-Their locks are renewed in a child that is forked: a thread that computes one at that instant does not exist in the
-child, so its lock would be held for ever.  Before Python 3.12 `cached_property` has such a lock for each class too.
+The locks are renewed in a forked child: a thread that was computing a property at that instant does not exist in the
+child, so its lock would never be released.  Before Python 3.12 `cached_property` has such a lock per class too.
 """
 
 from __future__ import annotations
@@ -17,9 +17,9 @@ T_co = TypeVar("T_co", covariant=True)
 
 
 class once(Generic[T_co]):  # noqa: N801 - used as a decorator, like cached_property
-    """A `cached_property` of which all threads get the same object: the others wait for the first one.
+    """A `cached_property` that gives all threads the same object: the others wait for the first one.
 
-    Since Python 3.12 two threads may each compute a cached property; that is right where only its value matters.
+    Since Python 3.12, two threads may each compute a cached property, which is enough if only its value matters.
     """
 
     def __init__(self, function: Callable[[Any], T_co]) -> None:
@@ -28,11 +28,11 @@ class once(Generic[T_co]):  # noqa: N801 - used as a decorator, like cached_prop
         self.__doc__ = function.__doc__
 
     def renew(self) -> None:
-        """Another lock, in a forked child."""
+        """Create a new lock, in a forked child."""
         self._lock = RLock()
 
     def __set_name__(self, owner: type[Any], name: str) -> None:
-        """The attribute under which values are kept."""
+        """Record the attribute that holds the value."""
         self._name = name
 
     @overload
@@ -40,7 +40,7 @@ class once(Generic[T_co]):  # noqa: N801 - used as a decorator, like cached_prop
     @overload
     def __get__(self, instance: object, owner: type[Any] | None = None) -> T_co: ...
     def __get__(self, instance: object, owner: type[Any] | None = None) -> Self | T_co:
-        """The value; kept in the instance, where it is found without this method from then on."""
+        """Return the value, and store it in the instance, where later accesses find it directly."""
         if instance is None:
             return self
         with self._lock:
@@ -51,7 +51,7 @@ class once(Generic[T_co]):  # noqa: N801 - used as a decorator, like cached_prop
 
 
 def _descriptors(kind: type[Any]) -> Iterator[Any]:
-    """The properties of a kind in the classes of flexel."""
+    """List the properties of this kind in flexel's classes."""
     package = __name__.split(".")[0]
     modules = [module for name, module in list(sys.modules.items()) if name.split(".")[0] == package]
     for module in modules:

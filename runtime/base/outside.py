@@ -1,4 +1,4 @@
-"""Types of optional packages, which are imported when a result is converted to them."""
+"""Types of optional packages, which are imported only when a result is converted to them."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """Progress bars.
 
-A hidden bar is not one of tqdm: a forked child would inherit the locks of tqdm as another thread held them.
+A hidden bar does not use tqdm: a forked child would inherit tqdm's locks in the state another thread left them.
 """
 
 from __future__ import annotations
@@ -17,13 +17,13 @@ class Hidden:
         self.n = 0.0
 
     def update(self, more: float = 1) -> None:
-        """Progress by so much."""
+        """Advance by this amount."""
         self.n += more
 
     def close(self) -> None:
-        """Nothing was shown."""
+        """Do nothing: no bar is shown."""
 
 
 def progress_bar(shown: bool, total: float, unit: str, layout: str | None = None) -> Any:
-    """A progress bar on stderr, with `update`, `close` and the progress `n`, or a hidden one."""
+    """Return a progress bar on stderr, with `update`, `close` and the progress `n`, or a hidden one."""
     return tqdm(total=total, unit=unit, leave=False, bar_format=layout) if shown else Hidden()

@@ -16,7 +16,7 @@ from flexel.base.errors import ModelError
 
 
 def product(p: Array, q: Array) -> Array:
-    """Quaternion product p o q: rotate by q first, then by p."""
+    """Multiply quaternions, p o q: rotate by q first, then by p."""
     p0, p1, p2, p3 = p
     q0, q1, q2, q3 = q
     return np.array(
@@ -30,12 +30,12 @@ def product(p: Array, q: Array) -> Array:
 
 
 def conjugate(p: Array) -> Array:
-    """The inverse of a unit quaternion."""
+    """Invert a unit quaternion."""
     return np.array([p[0], -p[1], -p[2], -p[3]])
 
 
 def matrix(q: Array) -> Array:
-    """Rotation matrix (3, 3) of a unit quaternion; its columns are the rotated axes."""
+    """Return the rotation matrix (3, 3) of a unit quaternion; its columns are the rotated axes."""
     q0, q1, q2, q3 = q
     return np.array(
         [
@@ -46,8 +46,13 @@ def matrix(q: Array) -> Array:
     )
 
 
+def rotation_rows(q: Array) -> Array:
+    """Return W (3, 4) of omega = W lambda', the angular velocity in global axes."""
+    return 2 * np.array([[-q[1], q[0], -q[3], q[2]], [-q[2], q[3], q[0], -q[1]], [-q[3], -q[2], q[1], q[0]]])
+
+
 def from_matrix(R: Array) -> Array:
-    """Unit quaternion (4,) of a rotation matrix, by its largest component (Shepperd 1978)."""
+    """Return the unit quaternion (4,) of a rotation matrix, by its largest component (Shepperd 1978)."""
     d = np.array([np.trace(R), R[0, 0], R[1, 1], R[2, 2]])
     k = int(np.argmax(d))
     if k == 0:
@@ -62,13 +67,13 @@ def from_matrix(R: Array) -> Array:
 
 
 def turn(axis: Any, angle: float) -> Array:
-    """Unit quaternion of a turn by `angle` [rad] about `axis` (3,); for `Model.frame(..., orientation=)`."""
+    """Return the unit quaternion of a turn by `angle` [rad] about `axis` (3,); for `Model.frame(..., orientation=)`."""
     u, angle = unit(axis, "turn", "axis"), number(angle, "turn", "angle")
     return np.concatenate([[np.cos(angle / 2)], np.sin(angle / 2) * u])
 
 
 def unit(direction: Any, owner: str, what: str, size: int = 3) -> Array:
-    """Normalized copy of a direction.
+    """Normalize a copy of a direction.
 
     Raises
     ------
@@ -83,7 +88,7 @@ def unit(direction: Any, owner: str, what: str, size: int = 3) -> Array:
 
 
 def triad(e_x: Array, hint: Any | None, owner: str) -> Array:
-    """Unit quaternion of a triad whose x-axis is `e_x` and whose y-axis lies nearest to `hint`.
+    """Return the unit quaternion of a triad whose x-axis is `e_x` and whose y-axis is nearest to `hint`.
 
     Without a hint, the global axis farthest from `e_x` is used.
     """
@@ -101,12 +106,12 @@ def triad(e_x: Array, hint: Any | None, owner: str) -> Array:
 
 
 def in_frame(frame: Array, triad: Array) -> Array:
-    """A triad given in global axes, expressed in a body frame."""
+    """Express a triad given in global axes in a body frame."""
     return product(conjugate(frame), triad)
 
 
 def in_body(orientation: Array, d: Array) -> Array:
-    """Components of a vector d in the axes of a body: d (3,) with a quaternion (4,), or d (2,) with an angle (1,)."""
+    """Transform a vector d into the axes of a body: d (3,) with a quaternion (4,), or d (2,) with an angle (1,)."""
     if d.size == 3:
         return np.asarray(matrix(orientation).T @ d)
     c, s = np.cos(orientation[0]), np.sin(orientation[0])
@@ -114,7 +119,7 @@ def in_body(orientation: Array, d: Array) -> Array:
 
 
 def euler_angles(q: Array) -> Array:
-    """Angles (3,) [rad] of turns about z, then the new y, then the new x axis, that make a rotation.
+    """Return the angles (3,) [rad] of successive turns about z, the new y and the new x axis that make a rotation.
 
     At a quarter turn about y the other two turns are about the same axis; their sum is then returned as that about z.
     """
@@ -127,7 +132,7 @@ def euler_angles(q: Array) -> Array:
 
 
 def axis_angle(q: Array) -> tuple[Array, float]:
-    """Axis (3,) and angle [rad], from zero to pi, of a rotation; without a rotation the axis is zero."""
+    """Return the axis (3,) and the angle [rad], from zero to pi, of a rotation; the axis is zero without a rotation."""
     size = float(np.linalg.norm(q[1:]))
     if size == 0.0:
         return np.zeros(3), 0.0

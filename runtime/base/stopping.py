@@ -1,4 +1,4 @@
-"""Ctrl-C in long tasks that consist of parts, some of which handle a `KeyboardInterrupt` themselves."""
+"""Handles Ctrl-C in long tasks whose parts may handle a `KeyboardInterrupt` themselves."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from types import FrameType
 
 
 class StoppedError(BaseException):
-    """Ctrl-C in `stopping`; not a `KeyboardInterrupt`, upon which analyses of variants return those that are done."""
+    """Ctrl-C within `stopping`; not a `KeyboardInterrupt`, upon which analyses of variants return partial results."""
 
 
 @contextmanager
 def stopping() -> Iterator[None]:
-    """Let Ctrl-C raise `StoppedError`, through all functions that would otherwise return partial results.
+    """Make Ctrl-C raise `StoppedError`, through all functions that would otherwise return partial results.
 
-    Signals reach only the main thread; in any other this does nothing.
+    Signals reach only the main thread; in any other thread this does nothing.
     """
 
     def stop(number: int, frame: FrameType | None) -> None:

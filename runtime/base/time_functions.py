@@ -1,4 +1,4 @@
-"""Prescribed functions of time with their first and second rates, derived exactly, never differentiated numerically.
+"""Prescribed functions of time with exact first and second rates, never differentiated numerically.
 
 A function of time is one of the classes below, a triple of functions, or a callable that takes a second-order
 jet (value, rate, acceleration); operators and NumPy functions work on jets.
@@ -13,11 +13,12 @@ from typing import Any, Protocol, runtime_checkable
 
 import numpy as np
 
-from flexel.base.arguments import SMALLEST, array, number
+from flexel.base.arguments import MIN_POSITIVE, array, number
 from flexel.base.arrays import Array
 from flexel.base.copies import OF_TIME, Constant, check_travels
 from flexel.base.errors import FlexelError, ModelError
 from flexel.base.jets import Jet, as_jet
+from flexel.base.meaning import described, in_unit
 from flexel.base.nested import WITHIN
 from flexel.base.switching import next_switch, on_switch
 from flexel.base.time_tables import Table
@@ -25,27 +26,27 @@ from flexel.base.time_tables import Table
 
 @runtime_checkable
 class TimeFunction(Protocol):
-    """Anything that maps a time [s] to value, rate and acceleration."""
+    """Interface of anything that maps a time [s] to value, rate and acceleration."""
 
     def rates(self, t: float) -> tuple[float, float, float]:
-        """Value, first and second rate at time t."""
+        """Return value, first and second rate at time t."""
         ...
 
 
 @dataclass(frozen=True)
-class Formula(Constant):
+class TimeFormula(Constant):
     """A Python function of time, differentiated by second-order jets."""
 
     function: Callable[[Any], Any]
     owner: str = "function of time"
 
     def __getstate__(self) -> dict[str, Any]:
-        """The fields; a ModelError that names the owner if the function cannot be pickled."""
+        """Return the fields; raise a ModelError that names the owner if the function cannot be pickled."""
         check_travels(self.owner, self.function, OF_TIME)
         return super().__getstate__()
 
     def rates(self, t: float) -> tuple[float, float, float]:
-        """Value, first and second rate at time t [s]."""
+        """Return value, first and second rate at time t [s]."""
         try:
             with WITHIN:
                 y = as_jet(self.function(Jet(t, 1.0, 0.0)))
@@ -59,11 +60,11 @@ class Formula(Constant):
         return _finite((y.value, y.rate, y.acceleration), self.owner, t)
 
     def next_knot(self, t: float) -> float:
-        """The first time after t at which a comparison in the function is expected to change [s]."""
+        """Return the first time after t [s] at which a comparison in the function is expected to change."""
         return next_switch(self.function, t)
 
     def on_knot(self, t: float, within: float) -> bool:
-        """Whether a comparison in the function changes within a time [s] of t."""
+        """Whether a comparison in the function changes within a given time [s] of t."""
         return on_switch(self.function, t, within)
 
 
@@ -75,13 +76,13 @@ class Triple(Constant):
     owner: str = "function of time"
 
     def __getstate__(self) -> dict[str, Any]:
-        """The fields; a ModelError that names the owner if a function cannot be pickled."""
+        """Return the fields; raise a ModelError that names the owner if a function cannot be pickled."""
         for function in self.functions:
             check_travels(self.owner, function, OF_TIME)
         return super().__getstate__()
 
     def rates(self, t: float) -> tuple[float, float, float]:
-        """Value, first and second rate at time t [s]."""
+        """Return value, first and second rate at time t [s]."""
         u, ud, udd = self.functions
         try:
             with WITHIN:
@@ -98,27 +99,27 @@ class Triple(Constant):
 
 @dataclass(frozen=True)
 class Foreign(Constant):
-    """A function of time that is an object of the user with a method `rates`."""
+    """A function of time given as a user's object with a method `rates`."""
 
     function: TimeFunction
     owner: str
 
     def __getstate__(self) -> dict[str, Any]:
-        """The fields; a ModelError that names the owner if the object cannot be pickled."""
+        """Return the fields; raise a ModelError that names the owner if the object cannot be pickled."""
         check_travels(self.owner, self.function, OF_TIME)
         return super().__getstate__()
 
     def rates(self, t: float) -> tuple[float, float, float]:
-        """Value, first and second rate at time t [s]."""
+        """Return value, first and second rate at time t [s]."""
         with WITHIN:
             return self.function.rates(t)
 
     def next_knot(self, t: float) -> float:
-        """The first knot after t that the object names, if it has such a method."""
+        """Return the first knot after t reported by the object, if it has such a method."""
         return next_knot(self.function, t)
 
     def on_knot(self, t: float, within: float) -> bool:
-        """Whether the object names a knot within a time [s] of t."""
+        """Whether the object reports a knot within a given time [s] of t."""
         return next_knot(self.function, t - within) <= t + within
 
 
@@ -132,23 +133,23 @@ def _finite(values: tuple[float, float, float], owner: str, t: float) -> tuple[f
 
 @dataclass
 class Held:
-    """A value that is set from outside, and is constant in between."""
+    """A value that is set from outside, and is constant between settings."""
 
     value: float = 0.0
 
     def rates(self, t: float) -> tuple[float, float, float]:
-        """Value, first and second rate at time t [s]."""
+        """Return value, first and second rate at time t [s]."""
         return self.value, 0.0, 0.0
 
 
-def next_knot(function: TimeFunction, t: float) -> float:
-    """The first time after t [s] at which a function of time is known not to be smooth; infinite if there is none."""
+def next_knot(function: object, t: float) -> float:
+    """Return the first time after t [s] at which a function is known not to be smooth; infinite if there is none."""
     following: Callable[[float], float] | None = getattr(function, "next_knot", None)
     return math.inf if following is None else following(t)
 
 
-def on_knot(function: TimeFunction, t: float, within: float) -> bool:
-    """Whether a function of time is known not to be smooth within a time [s] of t."""
+def on_knot(function: object, t: float, within: float) -> bool:
+    """Whether a function of time is known not to be smooth within a given time [s] of t."""
     there: Callable[[float, float], bool] | None = getattr(function, "on_knot", None)
     return there is not None and there(t, within)
 
@@ -161,7 +162,7 @@ def steady(function: TimeFunction) -> bool:
 
 
 @dataclass(frozen=True)
-class Faster(Constant):
+class TimeScaled(Constant):
     """u(factor t): a function of time that runs `factor` times as fast."""
 
     function: TimeFunction
@@ -173,35 +174,35 @@ class Faster(Constant):
         return np.asarray(getattr(self.function, "knots", ())) / self.factor
 
     def rates(self, t: float) -> tuple[float, float, float]:
-        """Value, first and second rate at time t [s]."""
+        """Return value, first and second rate at time t [s]."""
         u, v, a = self.function.rates(self.factor * t)
         return u, self.factor * v, self.factor**2 * a
 
     def next_knot(self, t: float) -> float:
-        """The first knot after time t [s]."""
+        """Return the first knot after time t [s]."""
         return next_knot(self.function, self.factor * t) / self.factor
 
     def on_knot(self, t: float, within: float) -> bool:
-        """Whether there is a knot within a time [s] of t."""
+        """Whether there is a knot within a given time [s] of t."""
         return on_knot(self.function, self.factor * t, self.factor * within)
 
 
 def calls_user(function: TimeFunction) -> bool:
-    """Whether a function of time calls code of the user, which may give other values later."""
-    inner = function.function if isinstance(function, Faster) else function
-    return isinstance(inner, (Formula, Triple, Foreign))
+    """Whether a function of time calls user code, which may return other values later."""
+    inner = function.function if isinstance(function, TimeScaled) else function
+    return isinstance(inner, (TimeFormula, Triple, Foreign))
 
 
-def faster(function: TimeFunction, factor: float) -> TimeFunction:
-    """The function run `factor` times as fast; a constant is returned as it is."""
-    return function if steady(function) else Faster(function, factor)
+def time_scaled(function: TimeFunction, factor: float) -> TimeFunction:
+    """Return the function run `factor` times as fast; a constant is returned as it is."""
+    return function if steady(function) else TimeScaled(function, factor)
 
 
-@dataclass(frozen=True)
-class Polynomial:
+@described
+class Polynomial(Constant):
     """u(t) = c0 + c1 t + c2 t^2 + …"""
 
-    coefficients: Sequence[float]
+    coefficients: Sequence[float] = in_unit("")
 
     def __post_init__(self) -> None:
         c = array(self.coefficients, "Polynomial", "coefficients")
@@ -211,7 +212,7 @@ class Polynomial:
             )
 
     def rates(self, t: float) -> tuple[float, float, float]:
-        """Value, first and second rate at time t [s]."""
+        """Return value, first and second rate at time t [s]."""
         t = number(t, "Polynomial", "time")
         u = v = a = 0.0
         for c in reversed(self.coefficients):  # Horner's scheme for the value and its derivatives together
@@ -219,8 +220,8 @@ class Polynomial:
         return float(u), float(v), float(a)
 
 
-@dataclass(frozen=True)
-class Ramp:
+@described
+class Ramp(Constant):
     """A step from one value to another: the quintic with continuous acceleration.
 
     Parameters
@@ -231,36 +232,40 @@ class Ramp:
         Values before and after it.
     """
 
-    t0: float
-    t1: float
-    u0: float
-    u1: float
+    t0: float = in_unit("s")
+    t1: float = in_unit("s")
+    u0: float = in_unit("")
+    u1: float = in_unit("")
 
     def __post_init__(self) -> None:
         for name in ("t0", "t1", "u0", "u1"):
             number(getattr(self, name), "Ramp", name)
-        if not self.t1 - self.t0 > SMALLEST:
+        if not self.t1 - self.t0 > MIN_POSITIVE:
             raise ModelError(f"Ramp: t1 = {self.t1} is not after t0 = {self.t0}; give t0 < t1")
 
     def rates(self, t: float) -> tuple[float, float, float]:
-        """Value, first and second rate at time t [s]."""
+        """Return value, first and second rate at time t [s]."""
         t = number(t, "Ramp", "time")
         T, d = self.t1 - self.t0, self.u1 - self.u0
-        z = min(max((t - self.t0) / T, 0.0), 1.0)
-        u = z**3 * (10 - 15 * z + 6 * z**2)
-        return self.u0 + d * u, d / T * 30 * z**2 * (1 - z) ** 2, d / T**2 * 60 * z * (1 - z) * (1 - 2 * z)
+        fraction = min(max((t - self.t0) / T, 0.0), 1.0)
+        u = fraction**3 * (10 - 15 * fraction + 6 * fraction**2)
+        return (
+            self.u0 + d * u,
+            d / T * 30 * fraction**2 * (1 - fraction) ** 2,
+            d / T**2 * 60 * fraction * (1 - fraction) * (1 - 2 * fraction),
+        )
 
     def next_knot(self, t: float) -> float:
-        """The start or the end of the step, whichever comes next after t [s]; infinite after its end."""
+        """Return the start or the end of the step, whichever comes next after t [s]; infinite after its end."""
         return self.t0 if t < self.t0 else self.t1 if t < self.t1 else math.inf
 
     def on_knot(self, t: float, within: float) -> bool:
-        """Whether its start or its end is within a time [s] of t."""
+        """Whether its start or its end is within a given time [s] of t."""
         return self.next_knot(t - within) <= t + within
 
 
-@dataclass(frozen=True)
-class Harmonic:
+@described
+class Harmonic(Constant):
     """u(t) = offset + amplitude sin(omega t + phase).
 
     Parameters
@@ -274,42 +279,42 @@ class Harmonic:
         Mean value.
     """
 
-    amplitude: float
-    omega: float
-    phase: float = 0.0
-    offset: float = 0.0
+    amplitude: float = in_unit("")
+    omega: float = in_unit("rad/s")
+    phase: float = in_unit("rad", default=0.0)
+    offset: float = in_unit("", default=0.0)
 
     def __post_init__(self) -> None:
         for name in ("amplitude", "omega", "phase", "offset"):
             number(getattr(self, name), "Harmonic", name)
 
     def rates(self, t: float) -> tuple[float, float, float]:
-        """Value, first and second rate at time t [s]."""
+        """Return value, first and second rate at time t [s]."""
         t = number(t, "Harmonic", "time")
         w, p = self.omega, self.omega * t + self.phase
         s, c = self.amplitude * np.sin(p), self.amplitude * np.cos(p)
         return float(self.offset + s), float(w * c), float(-w * w * s)
 
 
-OWN = (Polynomial, Ramp, Harmonic, Formula, Triple, Foreign)
+FUNCTION_CLASSES = (Polynomial, Ramp, Harmonic, TimeFormula, Triple, Foreign)
 
 
 def as_function(value: Any, owner: str) -> TimeFunction:
-    """A TimeFunction from a number, a function of time, a triple of functions, or a ready-made one."""
+    """Convert a number, a function of time or a triple of functions to a TimeFunction; keep one as it is."""
     if isinstance(value, Table):
         return value.of(owner)
-    if isinstance(value, OWN):
+    if isinstance(value, FUNCTION_CLASSES):
         return value
     if isinstance(value, TimeFunction) and not isinstance(value, type):
         return Foreign(value, owner)
     if isinstance(value, type):
         raise ModelError(f"{owner}: {value.__name__} is a class; give an instance, {value.__name__}(…)")
     if isinstance(value, tuple):
-        if len(value) != 3 or not all(callable(z) for z in value):
+        if len(value) != 3 or not all(callable(function) for function in value):
             raise ModelError(f"{owner}: {value!r} given; a tuple must hold the three functions (u, u', u'')")
         return Triple(value, owner)
     if callable(value):
-        return Formula(value, owner)
+        return TimeFormula(value, owner)
     if isinstance(value, (str, list, type(None))):
         raise ModelError(f"{owner}: {value!r} is neither a number nor a function of time; give one of these")
     return Polynomial((number(value, owner, "value"),))

@@ -12,13 +12,15 @@ from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 
 ROUNDING = 1e-13  # of sums of durations, relative to the times of a table
-LEAST = {"cubic": 4, "linear": 2, "step": 1}  # number of values
-SAME = 1e-12  # difference of two slopes, relative, that is due to rounding
-UNSEEN = 1e-9  # change of a value, relative to the range, below which a knot of a spline counts as smooth
+MIN_VALUES = {"cubic": 4, "linear": 2, "step": 1}  # number of values
+SLOPE_TOLERANCE = 1e-12  # difference of two slopes, relative, that is due to rounding
+UNSEEN = (
+    1e-9  # change in value at a spline's knot, relative to the range, below which the knot counts as smooth
+)
 
 
 class Table:
-    """Values at given times, with what joins them.
+    """Values at given times, with an interpolation between them.
 
     Parameters
     ----------
@@ -27,10 +29,12 @@ class Table:
     kind : {"cubic", "linear", "step"}
         ``"cubic"``: a spline with continuous second rates, n >= 4. ``"linear"``: straight lines, n >= 2; a time that
         appears twice is a jump from the first of its values to the second. ``"step"``: each value holds from its time
-        until the next one, and the last one for ever.
+        until the next one, and the last one indefinitely.
 
     Attributes
     ----------
+    t, u, kind
+        As given.
     knots : ndarray
         Times at which the function is not smooth; steps of an integration end there. A knot of a spline is left out if
         its jump in the third rate cannot be seen, as in a densely sampled smooth function.
@@ -43,26 +47,26 @@ class Table:
 
     def __init__(self, t: ArrayLike, u: ArrayLike, kind: str = "cubic") -> None:
         times, values = array(t, "Table", "times"), array(u, "Table", "values")
-        if not isinstance(kind, str) or kind not in LEAST:
-            raise ModelError(f"Table: {unknown(str(kind), LEAST, 'kind')}")
+        if not isinstance(kind, str) or kind not in MIN_VALUES:
+            raise ModelError(f"Table: {unknown(str(kind), MIN_VALUES, 'kind')}")
         if values.shape != times.shape:
             raise ModelError(
                 f"Table: {times.size} times and values of shape {values.shape}; give one value for each"
             )
         _check_times(times, kind)
-        self.kind = kind
-        self._times, self._range = times, (float(times[0]), float(times[-1]))
+        self.t, self.u, self.kind = times, values, kind
+        self._range = float(times[0]), float(times[-1])
         self._pieces, self.knots = _JOINED[kind](times, values)
         self._owner = ""
 
     def of(self, owner: str) -> Table:
-        """The same table; its errors name the quantity that it moves."""
+        """Return the same table with errors that name the quantity it moves."""
         found = copy.copy(self)
         found._owner = owner
         return found
 
     def rates(self, t: float) -> tuple[float, float, float]:
-        """Value, first and second rate at time t [s]; a ModelError outside the table."""
+        """Return value, first and second rate at time t [s]; raise a ModelError outside the table."""
         t = number(t, self._owner or "Table", "time")
         first, last = self._range
         slack = ROUNDING * max(abs(first), abs(last))
@@ -70,27 +74,29 @@ class Table:
             before = self._owner and f"{self._owner}: "
             raise ModelError(f"{before}Table: time {t} s lies outside {first}…{last} s; extend the table")
         t = min(max(t, first), last)
-        i = min(max(int(np.searchsorted(self._times, t, side="right")) - 1, 0), self._pieces.shape[1] - 1)
+        i = min(max(int(np.searchsorted(self.t, t, side="right")) - 1, 0), self._pieces.shape[1] - 1)
         c3, c2, c1, c0 = self._pieces[:, i].tolist()
-        s = t - float(self._times[i])
+        s = t - float(self.t[i])
         return c0 + s * (c1 + s * (c2 + s * c3)), c1 + s * (2 * c2 + 3 * s * c3), 2 * c2 + 6 * s * c3
 
     def next_knot(self, t: float) -> float:
-        """The first knot after time t [s]; infinite after the last."""
-        i = int(np.searchsorted(self.knots, t, side="right"))
-        return float(self.knots[i]) if i < self.knots.size else np.inf
+        """Return the first knot after time t [s], which may be the end of the table; infinite after the last one."""
+        i, end = int(np.searchsorted(self.knots, t, side="right")), self._range[1]
+        if i < self.knots.size:
+            return float(self.knots[i])
+        return end if self.kind != "step" and t < end else np.inf
 
     def on_knot(self, t: float, within: float) -> bool:
-        """Whether there is a knot within a time [s] of t."""
+        """Whether there is a knot within a given time [s] of t."""
         return self.next_knot(t - within) <= t + within
 
 
 def _check_times(times: Array, kind: str) -> None:
-    """Raise if there are too few times, or if they do not increase as the kind asks."""
+    """Raise if there are too few times, or if they do not increase as the kind requires."""
     number_words = {1: "one", 2: "two", 4: "four"}
-    if times.ndim != 1 or times.size < LEAST[kind] or times[0] == times[-1] and times.size > 1:
+    if times.ndim != 1 or times.size < MIN_VALUES[kind] or times[0] == times[-1] and times.size > 1:
         raise ModelError(
-            f"Table: times must be at least {number_words[LEAST[kind]]}, strictly increasing; give more"
+            f"Table: times must be at least {number_words[MIN_VALUES[kind]]}, strictly increasing; give more"
         )
     gaps = np.diff(times)
     if kind == "linear" and np.all(gaps >= 0) and not np.any((gaps[1:] == 0) & (gaps[:-1] == 0)):
@@ -100,7 +106,7 @@ def _check_times(times: Array, kind: str) -> None:
 
 
 def _cubic(times: Array, values: Array) -> tuple[Array, Array]:
-    """Coefficients (4, n - 1) of the pieces of a spline, and the knots that can be seen."""
+    """Compute the coefficients (4, n - 1) of the pieces of a spline, and its detectable knots."""
     from scipy.interpolate import CubicSpline
 
     c = np.asarray(CubicSpline(times, values).c)
@@ -110,18 +116,18 @@ def _cubic(times: Array, values: Array) -> tuple[Array, Array]:
 
 
 def _linear(times: Array, values: Array) -> tuple[Array, Array]:
-    """The same of straight lines."""
+    """Compute the coefficients of straight lines, and their knots."""
     gaps, rise = np.diff(times), np.diff(values)
     slopes = np.divide(rise, gaps, out=np.zeros_like(rise), where=gaps > 0)
     none = np.zeros_like(slopes)
     largest = np.maximum(np.abs(slopes[1:]), np.abs(slopes[:-1]))
-    bend = np.abs(np.diff(slopes)) > SAME * largest
+    bend = np.abs(np.diff(slopes)) > SLOPE_TOLERANCE * largest
     jump = (gaps[1:] == 0) | (gaps[:-1] == 0)
     return np.array([none, none, slopes, values[:-1]]), np.unique(times[1:-1][bend | jump])
 
 
 def _step(times: Array, values: Array) -> tuple[Array, Array]:
-    """The same of steps."""
+    """Compute the coefficients of steps, and their knots."""
     none = np.zeros_like(values)
     return np.array([none, none, none, values]), times[1:][np.diff(values) != 0]
 

@@ -1,8 +1,8 @@
-"""Units of what is derived from a quantity: its rates, and the generalized force that does work on it."""
+"""Units derived from that of a quantity: of its rates, and of the generalized force that does work on it."""
 
 from __future__ import annotations
 
-# Powers of metre and second, and whether it is an angle, for the units of the element table.
+# Powers of metre and second, and whether it is an angle, for the units in the element table.
 _POWERS = {"m": (1, 0, ""), "rad": (0, 0, "rad"), "1": (0, 0, ""), "-": (0, 0, ""),
            "m/s": (1, -1, ""), "rad/s": (0, -1, "rad"), "m^2/s": (2, -1, ""), "1/s": (0, -1, "")}  # fmt: skip
 _FORCES = {"m": "N", "m/s": "N", "m^2/s": "N/m", "rad/m": "N m²"}
@@ -10,7 +10,7 @@ _POWER_SIGNS = {1: "", 2: "²", 3: "³"}
 
 
 def rate_unit(unit: str, order: int) -> str:
-    """Unit of the rate of that order, `unit` itself for order 0.
+    """Return the unit of the rate of that order; `unit` itself for order 0.
 
     Examples
     --------
@@ -27,7 +27,7 @@ def rate_unit(unit: str, order: int) -> str:
 
 
 def force_unit(unit: str, slip: bool) -> str:
-    """Unit of the stress dual to a deformation or slip, or of the force on a coordinate.
+    """Return the unit of the stress conjugate to a deformation or slip, or of the force on a coordinate.
 
     Examples
     --------

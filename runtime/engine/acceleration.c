@@ -151,7 +151,7 @@ static double largest(size_t n, const double *values)
     return found;
 }
 
-/* b -= [M C'; C 0] x */
+/* b -= [M B'; C 0] x, where B are the rows in which forces act */
 static void subtract_product(const flexel_work *s, const flexel_choice *c, const double *restrict x, double *restrict b)
 {
     const size_t nf = s->nf, held = c->nr + c->np, count = held + c->nk;
@@ -162,18 +162,18 @@ static void subtract_product(const flexel_work *s, const flexel_choice *c, const
         b[i] = z;
     }
     for (size_t i = 0; i < count; i++) {
-        const int row = i < held ? c->rows[i] : c->slips[i - held];
+        const int row = i < held ? c->rows[i] : c->slips[i - held], at = i < held ? c->forced[i] : row;
         const double mu = x[nf + i];
         double z = b[nf + i];
-        for (int l = s->J_start[row]; l < s->J_start[row + 1] && (size_t)s->J_column[l] < nf; l++) {
+        for (int l = s->J_start[row]; l < s->J_start[row + 1] && (size_t)s->J_column[l] < nf; l++)
             z -= s->J[l] * x[s->J_column[l]];
+        for (int l = s->J_start[at]; l < s->J_start[at + 1] && (size_t)s->J_column[l] < nf; l++)
             b[s->J_column[l]] -= s->J[l] * mu;
-        }
         b[nf + i] = z;
     }
 }
 
-/* [M C'; C 0] [a; mu] = [F; prescribed - convective] */
+/* [M B'; C 0] [a; mu] = [F; prescribed - convective] */
 static int saddle(flexel_work *s, flexel_choice *c)
 {
     const size_t nf = s->nf, held = c->nr + c->np, count = held + c->nk, first = held + c->nd;
@@ -198,13 +198,14 @@ static int saddle(flexel_work *s, flexel_choice *c)
             x[i] += b[i];
     }
     memcpy(s->a, x, nf * sizeof(double));
-    for (size_t i = 0; i < count; i++)
-        c->multiplier[i < held ? c->rows[i] : c->slips[i - held]] = x[nf + i];
     for (size_t i = held; i < first; i++) {
         const int row = c->rows[i];
         c->qdd[i - held] = ((size_t)row < s->m ? s->g[row] : 0) + flexel_row_value(s, row, s->a);
-        c->multiplier[row] = 0;
     }
+    for (size_t i = c->nr; i < first; i++)
+        c->multiplier[c->rows[i]] = 0; /* unless actuators are among them */
+    for (size_t i = 0; i < count; i++)
+        c->multiplier[i < held ? c->forced[i] : c->slips[i - held]] = x[nf + i];
     return FLEXEL_DONE;
 }
 

@@ -31,7 +31,7 @@ typedef struct {
     double begun, deepest;   /* depths of contacts that have closed since, and of those that touched before */
 } flexel_energies;
 
-/* The balance at the time, x, v, a, z and `near` of the workspace: forces, unbalance r = M a + h - f + De' sigma + V' tau,
+/* The balance at the time, x, v, a, z and `unwrap_from` of the workspace: forces, unbalance r = M a + h - f + De' sigma + V' tau,
  * and errors of the conditions. */
 void flexel_balanced(flexel_balance *b);
 /* dr/dx + rate dr/dv + acceleration dr/da, times `scaling`, into T of the workspace, at the last balance. Returns zero, or

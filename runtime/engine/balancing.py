@@ -31,16 +31,18 @@ class Balancing(Struct):
         self.struct.nforce, self.struct.nh = rows.size, period.size
         self.struct.rows = self.integers(rows.astype(np.int32))
         self.struct.period = self.pointer(period)
-        self.nodal, self.force = (self.new(z, s.n) for z in ("nodal", "force"))
-        self.applied, self.given, self.size = (self.new(z, s.m + s.k) for z in ("applied", "given", "size"))
-        self.target, self.gap = (self.new(z, period.size) for z in ("target", "gap"))
+        self.nodal, self.force = (self.new(name, s.n) for name in ("nodal", "force"))
+        self.applied, self.given, self.size = (
+            self.new(name, s.m + s.k) for name in ("applied", "given", "size")
+        )
+        self.target, self.gap = (self.new(name, period.size) for name in ("target", "gap"))
         self.mu, self.r = self.new("mu", rows.size), self.new("r", s.nf)
         self.known = self.new("known", s.nz)
 
     def run(self) -> None:
-        """The balance at the state of the workspace."""
+        """Compute the balance at the state of the workspace."""
         lib.flexel_balanced(self.struct)
 
     def tangent(self, scaling: float, rate: float, acceleration: float, share: float) -> bool:
-        """Derivatives of r, with rates and accelerations that vary with x, into T; whether all laws have a slope."""
+        """Compute T, the derivatives of r, rates and accelerations varying with x; False if a law has no slope."""
         return not lib.flexel_balance_tangent(self.struct, scaling, rate, acceleration, share)

@@ -49,7 +49,7 @@ class Tangents:
     zd_z: Array
 
     def dense(self) -> Tangents:
-        """These."""
+        """Return these tangents."""
         return self
 
 
@@ -84,7 +84,7 @@ class Derivatives(Portable):
         return csr_array((self.laws, (rows, columns)), shape=(size, size + s.m))
 
     @cached_property
-    def lags(self) -> tuple[Any, Any, Array]:
+    def internal_states(self) -> tuple[Any, Any, Array]:
         """Rates of internal states by x (nz, n), v (nz, n) and z (nz, nz)."""
         s, pattern = self.evaluation.structure, self.evaluation.tables.J
         m, k = s.m, s.k
@@ -110,16 +110,16 @@ class Derivatives(Portable):
         return np.asarray(self._law_matrix[: s.m + s.k, 2 * s.m + s.k :].toarray())
 
     def dense(self) -> Tangents:
-        """As ordinary arrays."""
+        """Convert the tangents to dense arrays."""
         s, t = self.evaluation.structure, self.evaluation.tables
         m, k = s.m, s.k
-        own = {z: t.J.matrix(getattr(self, z)).toarray() for z in ("J", "Phi_x", "Psi_x", "Psi_v")}
-        own |= {z: t.T.whole.matrix(getattr(self, z)).toarray() for z in ("r_x", "r_v")}
+        own = {name: t.J.matrix(getattr(self, name)).toarray() for name in ("J", "Phi_x", "Psi_x", "Psi_v")}
+        own |= {name: t.T.whole.matrix(getattr(self, name)).toarray() for name in ("r_x", "r_v")}
         for name, part in zip(("r_x", "r_v"), self._by_laws, strict=True):
             own[name] += part[:, : s.nf].toarray()
         parts = np.split(self._law_matrix[: m + k].toarray(), [m, 2 * m, 2 * m + k], axis=1)
         own |= dict(zip(("stress_e", "stress_ed", "stress_s", "stress_z"), parts, strict=True))
-        by_x, by_v, by_z = self.lags
+        by_x, by_v, by_z = self.internal_states
         mass = t.M.matrix(self.M).toarray()
         return Tangents(**own, M=mass, zd_x=by_x.toarray(), zd_v=by_v.toarray(), zd_z=by_z)
 

@@ -50,7 +50,7 @@ class Elimination:
         self._filled: bool | None = None if size > BORDER else False
 
     def __getstate__(self) -> dict[str, Any]:
-        """Everything but the order, which lives in C; it is found again from the same samples."""
+        """Return everything but the order, which lives in C; it is found again from the same samples."""
         return self.__dict__ | {"_order": None}
 
     @property
@@ -59,12 +59,12 @@ class Elimination:
         return self._order
 
     def matrix(self, stored: Array) -> Any:
-        """A stored matrix as a scipy.sparse array."""
+        """Return a stored matrix as a scipy.sparse array."""
         starts = np.searchsorted(self.columns, np.arange(self.size + 1))
         return csc_array((stored, self.rows, starts), shape=(self.size, self.size))
 
     def factorize(self, stored: Array) -> Eliminated | LargeFactors:
-        """LU factors of a stored matrix; they are not regular if it is singular, apart from rounding errors."""
+        """Factorize a stored matrix; the factors are not regular if it is singular, apart from rounding errors."""
         if self._filled is not False:
             large = LargeFactors(self.matrix(stored))
             if large.regular:
@@ -76,7 +76,7 @@ class Elimination:
         return factors if factors is not None else self._ordered_anew(stored)
 
     def factorized(self, stored: Array) -> Eliminated | LargeFactors:
-        """LU factors of a stored matrix, by SuperLU if there is no sound order of the pivots.
+        """Factorize a stored matrix, by SuperLU if there is no sound order of the pivots.
 
         A matrix that is singular but for rounding errors, of a straight rope without tension, still has a solution if
         nothing acts where there is no stiffness: SuperLU refuses pivots only if they are zero.
@@ -85,7 +85,7 @@ class Elimination:
         return found if found.regular else LargeFactors(self.matrix(stored))
 
     def _begun(self, stored: Array) -> PivotOrder | None:
-        """The first order: from the samples, or if there are none from this matrix."""
+        """Find the first order: from the samples, or from this matrix if there are none."""
         samples = self._samples or (stored.copy(),)
         order = self._found(samples)
         if order is not None:
@@ -122,9 +122,9 @@ class PivotOrder:
 
     @classmethod
     def find(cls, rows: Index, columns: Index, size: int, samples: tuple[Array, ...]) -> PivotOrder | None:
-        """An order that is sound for all samples (stored,); None if there is none."""
-        places = [np.ascontiguousarray(z, dtype=np.int32) for z in (rows, columns)]
-        pointers = [ffi.from_buffer("int[]", z) for z in places]
+        """Find an order that is sound for all samples (stored,); return None if there is none."""
+        places = [np.ascontiguousarray(indices, dtype=np.int32) for indices in (rows, columns)]
+        pointers = [ffi.from_buffer("int[]", indices) for indices in places]
         values = np.concatenate(samples)
         failed = ffi.new("size_t *")
         lu = lib.flexel_lu_order(
@@ -142,7 +142,7 @@ class PivotOrder:
         return int(lib.flexel_lu_operations(self.lu))
 
     def factorize(self, stored: Array) -> Eliminated | None:
-        """LU factors of a stored matrix (stored,); None if a pivot is too small."""
+        """Factorize a stored matrix (stored,); return None if a pivot is too small."""
         a = np.empty(self.slots)
         source, values = ffi.from_buffer("int[]", self._source), ffi.from_buffer("double[]", stored)
         if lib.flexel_lu_factor(self.lu, source, values, ffi.from_buffer("double[]", a)):
@@ -176,13 +176,13 @@ class Eliminated:
         return int(lib.flexel_lu_sign(self.order.lu, ffi.from_buffer("double[]", self.factors)))
 
     def solve(self, b: Array, transposed: bool = False) -> Array:
-        """Solution of A x = b, or of A' x = b, for one or several columns."""
+        """Solve A x = b, or A' x = b, for one or several columns."""
         if self.order is None:
             raise ValueError("a singular matrix has no solutions")
         x = np.array(b, dtype=np.float64, order="C")
         if x.size:
             work = np.empty(x.size)
-            pointers = [ffi.from_buffer("double[]", z) for z in (self.factors, x, work)]
+            pointers = [ffi.from_buffer("double[]", values) for values in (self.factors, x, work)]
             run = lib.flexel_lu_solve_transposed if transposed else lib.flexel_lu_solve
             run(self.order.lu, pointers[0], x.size // self.order.size, pointers[1], pointers[1], pointers[2])
         return x
@@ -206,7 +206,7 @@ class LargeFactors(SparseFactors):
 
 
 def _parity(permutation: Index) -> int:
-    """Sign of a permutation: by its number of cycles."""
+    """Return the sign of a permutation, from its number of cycles."""
     todo, cycles = np.ones(permutation.size, dtype=bool), 0
     for i in range(permutation.size):
         cycles += int(todo[i])

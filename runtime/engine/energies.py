@@ -23,7 +23,7 @@ class Energies:
     def __init__(self, work: Workspace) -> None:
         kinds, law = work.tables.structure.kinds, work.tables.law
         none = work.tables.structure.m  # no deformation: a law may act on nothing, or on slips alone
-        parts = (z[:, 0] if z.shape[1] else np.full(len(z), none) for z in law.lines)
+        parts = (rows[:, 0] if rows.shape[1] else np.full(len(rows), none) for rows in law.lines)
         first = flat(parts)  # quantities that the laws first act on, law by law
         deformed = [q < len(kinds) and kinds[q] == "gap" for q in first]
         contacts = np.flatnonzero(deformed).astype(np.int32)
@@ -31,13 +31,13 @@ class Energies:
         self._touching = np.zeros(contacts.size, dtype=np.uint8)
         self.struct: Any = ffi.new("flexel_energies *")
         self.struct.ncontacts = contacts.size
-        self.struct.law, self.struct.gap = (ffi.from_buffer("int[]", z) for z in self._keep)
+        self.struct.law, self.struct.gap = (ffi.from_buffer("int[]", indices) for indices in self._keep)
         self.struct.touching = ffi.from_buffer("unsigned char[]", self._touching)
 
     def evaluate(self) -> None:
-        """The energies at the last balance of the workspace."""
+        """Compute the energies at the last balance of the workspace."""
         lib.flexel_energies_at(self.struct, self._work.struct)
 
     def note(self) -> None:
-        """Remember which contacts are closed."""
+        """Record which contacts are closed."""
         lib.flexel_touched(self.struct, self._work.struct)

@@ -128,7 +128,7 @@ void flexel_position(flexel_work *s)
         s->e[i] = s->position_out[s->e_source[i]];
     for (size_t i = 0; i < s->nperiodic; i++) {
         const int j = s->periodic[i];
-        s->e[j] += s->period[i] * rint((s->near[j] - s->e[j]) / s->period[i]);
+        s->e[j] += s->period[i] * rint((s->unwrap_from[j] - s->e[j]) / s->period[i]);
     }
     sum_rows(s, &s->J_sums, s->position_out, s->J);
     if (!s->nrelations)

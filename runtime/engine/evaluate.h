@@ -5,7 +5,7 @@
 #include "table.h"
 
 /* cdef: begin */
-/* Deformations e and J at x; whole periods are added so that e is nearest to `near`. */
+/* Deformations e and J at x; whole periods are added so that e is nearest to `unwrap_from`. */
 void flexel_position(flexel_work *s);
 /* Rates w of deformations and slips at v, from J. */
 void flexel_rates(flexel_work *s);

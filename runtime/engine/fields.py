@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from flexel.base.arrays import Array, Index
-from flexel.engine.kernels import Batch
+from flexel.engine.batches import Batch
 from flexel.engine.lanes import LANES
 from flexel.engine.patterns import Pattern, Terms
 from flexel.engine.stages import Stage, Sums
@@ -55,7 +55,7 @@ class Fields(Struct):
         self.outputs: dict[str, Array] = {}
 
     def ints(self, array: Index) -> Any:
-        """Pointer to integers, shared by all workspaces."""
+        """Return a pointer to integers, shared by all workspaces."""
         found = self.tables.ints(array)
         return ffi.cast("int *", found.ctypes.data)
 
@@ -78,13 +78,13 @@ class Fields(Struct):
 
     @staticmethod
     def pointer_of(array: Array) -> Any:
-        """Pointer to the numbers of an array for the duration of a call."""
+        """Return a pointer to the numbers of an array for the duration of a call."""
         return ffi.from_buffer("double[]", array)
 
     # -- kernels ---------------------------------------------------------------------------------
 
     def _lanes(self) -> None:
-        """Inputs of the kernels; lanes without an element keep what they are given here."""
+        """Allocate the inputs of the kernels; lanes without an element keep what they are given here."""
         t = self.tables
         self._inputs: dict[str, tuple[Array, list[int]]] = {}
         for name, vectors in LANES_OF.items():
@@ -114,7 +114,7 @@ class Fields(Struct):
         self._calls("law_tangent", t.law.tangent, t.laws, t.law.tangent.numbers, out)
 
     def _output(self, name: str, width: int) -> Array:
-        """A buffer of outputs, which ends with a zero and a one."""
+        """Allocate a buffer of outputs, which ends with a zero and a one."""
         out = self.outputs[name] = self.new(name, width + 2)
         out[width + 1] = 1.0
         return out
@@ -131,7 +131,7 @@ class Fields(Struct):
         field.ncalls, field.calls = len(numbers), calls
 
     def _call(self, call: Any, stage: Stage, batch: Batch, i: int, out: Array) -> None:
-        """One kernel of one batch with its arguments."""
+        """Set one kernel of one batch with its arguments."""
         spec = batch.spec.kernels[stage.kind]
         names = LAW_INPUTS if "law" in batch.spec.kernels else ELEMENT_INPUTS
         ins, steps = [], []
@@ -145,7 +145,7 @@ class Fields(Struct):
             ins.append(self.pointer(lanes, starts[i]))
             steps.append((batch.places[rows].shape[1] if rows else 1) * LANES)
         outs = [self.pointer(out, first) for first in stage.starts[i].values()]
-        steps += [len(z.nonzeros) * LANES for z in spec.outputs]
+        steps += [len(output.nonzeros) * LANES for output in spec.outputs]
         arrays = ffi.new("double *[]", ins), ffi.new("double *[]", outs), ffi.new("size_t[]", steps)
         self._keep.append(arrays)
         call.kernel = getattr(batch.struct, stage.kind)
@@ -155,5 +155,5 @@ class Fields(Struct):
         if "x" in batch.places:
             call.alone = "position" not in batch.spec.kernels
             call.width = batch.places["x"].shape[1]
-            call.first = sum(z.size for z in self.tables.gathers["coordinates"].rows[:i])
+            call.first = sum(indices.size for indices in self.tables.gathers["coordinates"].rows[:i])
             call.last = call.first + min(batch.size, stage.nblocks(i) * LANES) * call.width

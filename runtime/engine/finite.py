@@ -7,8 +7,9 @@ from numpy.typing import NDArray
 
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError
-from flexel.structure.callbacks import raise_failures
-from flexel.structure.structure import Structure
+from flexel.engine.workspace import Workspace
+from flexel.model.callbacks import raise_failures
+from flexel.model.structure import Structure
 
 
 class TangentError(DynamicsError):
@@ -47,6 +48,22 @@ def check_tangent(structure: Structure, finite: NDArray[np.bool_], t: float) -> 
             f"the tangent of the law on '{name}' at t = {t:g} s is not finite: the law has no slope here; correct the "
             "law, or use another state"
         )
+
+
+def check_slopes(work: Workspace) -> None:
+    """Check that the derivatives of the stresses of all laws, which a workspace holds, are finite.
+
+    Raises
+    ------
+    TangentError
+        If a law has no slope there; names it.
+    """
+    structure, codes = work.tables.structure, work.tables.law.codes
+    size = structure.m + structure.k
+    wrong = ~(np.isfinite(work.S) & np.isfinite(work.S_rate))[: codes.size]
+    finite = np.ones(size, dtype=bool)
+    finite[codes[wrong] // max(size, 1)] = False
+    check_tangent(structure, finite, float(work.struct.t))
 
 
 def _first(structure: Structure, stresses: NDArray[np.bool_], lags: NDArray[np.bool_]) -> str | None:

@@ -90,7 +90,7 @@ static void evaluate(flexel_step *s, double share)
     }
     for (size_t i = 0; i < b->nforce; i++)
         b->mu[i] = s->now.mu[i] - (share != 0 ? share * s->step[w->nf + i] / scaling : 0.0);
-    copy(w->near, s->now.e, w->m);
+    copy(w->unwrap_from, s->now.e, w->m);
     copy(w->z, s->old.z, w->nz);
     flexel_balanced(b);
 }

@@ -21,18 +21,23 @@ typedef struct {
     flexel_choice *choice;
     flexel_dop853 *steps;
     double *after; /* coordinates after the last correction (nf) */
+    double *accept; /* error of a position below which J is taken from before the last correction */
     /* start of the step: rates of coordinates (n), deformations and their rates (m each) */
     double *v, *e, *w;
     /* rules of the step control, see dop853.py */
     double end, longest, shortest; /* times [s] */
     double safety, smallest, largest, exponent;
-    double shadow, turns, farthest, floor, exact, near, atol;
+    double predicted, turns, farthest, floor, exact, unamplified, atol, dip;
     /* of each lane: what it does, steps taken and refused, and refused since the start of the step */
     int *doing, *taken, *refused, *tries;
     /* time, the next step, the first one tried from here, and the end of the last trial; time of which a step is passed on */
     double *t, *h, *first, *to, *until;
-    double *reached, *reach, *allowed; /* reach at the start of the step and at its end, and its largest value */
+    double *amplification, *amplification_new, *allowed; /* at the start of the step and at its end, and the largest value */
     double *sign; /* of the determinant of the position matrix at the start of the step */
+    /* logarithms of its size there, which is not a number if it is not known, and at the end; its fall in the step before */
+    double *size, *size_new, *fall;
+    double *U0; /* potential of body forces that are linear in the coordinates, where these are zero; of each lane */
+    flexel_account *accounts[8]; /* energy balances of the motions, or NULL */
     const int *gaps; /* deformations whose sign may not change within a step: a contact begins or ends there */
     int ngaps;
 } flexel_lanes;

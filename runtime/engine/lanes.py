@@ -12,7 +12,7 @@ LANES = 8  # elements in a block, see generated/kernels.h
 
 
 def blocks(values: Any) -> Any:
-    """Rows (elements, r) laid out as (blocks, r, 8), the last lanes repeating the last element."""
+    """Lay out rows (elements, r) as (blocks, r, 8); the last lanes repeat the last element."""
     size, rows = values.shape
     count = -(-size // LANES)
     padded = np.concatenate([values, np.repeat(values[-1:], count * LANES - size, axis=0)])
@@ -20,7 +20,7 @@ def blocks(values: Any) -> Any:
 
 
 def filled(values: Any, beyond: int) -> Any:
-    """The same, with one value in the lanes without an element."""
+    """Lay out rows in the same way, with one value in the lanes without an element."""
     found = blocks(values)
     size, (count, _, _) = values.shape[0], found.shape
     if size < count * LANES:
@@ -29,13 +29,13 @@ def filled(values: Any, beyond: int) -> Any:
 
 
 def lanes(size: int, rows: int, start: int) -> Index:
-    """Buffer indices (elements, rows) of the rows of one output."""
+    """Return the buffer indices (elements, rows) of the rows of one output."""
     element = np.arange(size)[:, None]
     return np.asarray(start + (element // LANES * rows + np.arange(rows)) * LANES + element % LANES)
 
 
 def aligned(size: int) -> Array:
-    """Zeros (size,) that begin a cache line."""
+    """Allocate zeros (size,) that begin a cache line."""
     space = np.zeros(size + LANES)
     first = -space.ctypes.data % 64 // 8
     return space[first : first + size]

@@ -43,6 +43,17 @@ void flexel_lanes_sign(const flexel_matrix *A, mask *negative)
     *negative = A->lu->sign < 0 ? ~flexel_negative(signs) : flexel_negative(signs);
 }
 
+double flexel_lanes_logarithm(const flexel_matrix *A, size_t lane)
+{
+    double mantissa = 1, exponents = 0;
+    for (size_t k = 0; k < A->lu->n; k++) {
+        int exponent;
+        mantissa = frexp(mantissa * fabs(V(A->a)[A->lu->diagonal[k]][lane]), &exponent);
+        exponents += exponent;
+    }
+    return -log2(mantissa) - exponents; /* of the inverses of the pivots */
+}
+
 /* The same on `width` of `count` columns. */
 FLEXEL_INLINE void sweep(const flexel_lu *lu, const vec *a, size_t first, vec *y, size_t count, int width)
 {

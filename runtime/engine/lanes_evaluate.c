@@ -53,7 +53,7 @@ void flexel_lanes_position(flexel_work *s)
     pick(s->m, s->e_source, s->position_out, s->e);
     for (size_t i = 0; i < s->nperiodic; i++) {
         const int j = s->periodic[i];
-        vec turns = (V(s->near)[j] - V(s->e)[j]) / s->period[i];
+        vec turns = (V(s->unwrap_from)[j] - V(s->e)[j]) / s->period[i];
         flexel_round(&turns);
         V(s->e)[j] += s->period[i] * turns;
     }
@@ -94,6 +94,8 @@ FLEXEL_INLINE void laws(flexel_work *s)
     flexel_run(&s->law);
     sum(&s->stress_sums, s->law_out, s->law_stress);
     sum(&s->zd_sums, s->law_out, s->zd);
+    sum(&s->law_U_sums, s->law_out, s->law_U);
+    sum(&s->law_P_sums, s->law_out, s->law_P);
 }
 
 FLEXEL_INLINE void inertia(flexel_work *s)
@@ -109,8 +111,18 @@ FLEXEL_INLINE void inertia(flexel_work *s)
         vec z = flexel_all(0);
         for (int j = s->M_start[i]; j < s->M_start[i + 1]; j++)
             z += V(s->D)[j] * V(s->v)[s->M_column[j]];
+        V(s->damping)[i] = z;
         V(s->F)[i] -= z;
     }
+}
+
+FLEXEL_CLONES
+void flexel_lanes_potential(const flexel_work *s, const double *U0, double *U)
+{
+    sum(&s->U_sums, s->inertia_out, U);
+    *V(U) += *V(U0);
+    for (size_t i = 0; i < s->n; i++)
+        *V(U) -= V(s->f0)[i] * V(s->x)[i];
 }
 
 /* The coordinates' shares of given stresses, into the forces. */

@@ -16,27 +16,42 @@ void flexel_lanes_convective(flexel_work *s);
 /* Forces on the coordinates, as flexel_forces. */
 void flexel_lanes_forces(flexel_work *s, flexel_choice *c);
 
+/* The potential of body forces, after the forces. */
+void flexel_lanes_potential(const flexel_work *s, const double *U0, double *U);
+
+/* Of account.h: powers at a stage, after its accelerations, and the energies at the end of a step. */
+void flexel_lanes_account_stage(const flexel_lanes *l, size_t stage);
+void flexel_lanes_account_end(const flexel_lanes *l);
+
 /* Of elimination.h; the lanes where a pivot is not sound are added to a mask. */
 void flexel_lanes_factor(const flexel_matrix *A, const double *buffer, mask *unsound);
 void flexel_lanes_solve(const flexel_matrix *A, size_t count, const double *b, double *x, double *work);
 /* The lanes where the determinant is negative. */
 void flexel_lanes_sign(const flexel_matrix *A, mask *negative);
+/* The logarithm of the size of the determinant of one lane, to base two. */
+double flexel_lanes_logarithm(const flexel_matrix *A, size_t lane);
 
 /* Of explicit.h: the rates at the times and y of all lanes; those that fail are added to a mask. */
 void flexel_lanes_locate(const flexel_lanes *l, mask *failed);
 void flexel_lanes_velocity(const flexel_lanes *l, mask *failed);
 void flexel_lanes_accelerate(const flexel_lanes *l, mask *failed);
-void flexel_lanes_reach(const flexel_lanes *l);
+void flexel_lanes_amplification(const flexel_lanes *l);
 
 /* Of runge_kutta.h: a step of the lanes, with lengths h from the times t (zero in idle ones). What it found: errors of y, x,
- * v and turns, distances from the shadow, the largest rate, where the sign of the determinant changes, and what failed. */
+ * v and turns, distances from the prediction, the largest rate, where the sign of the determinant changes, and what failed. */
 typedef struct {
-    vec t, h, error, error_x, error_v, error_turns, defect, defect_v, fastest;
+    vec t, h, error, error_x, error_v, error_turns, error_own, defect, defect_v, fastest;
     mask changed, failed;
 } flexel_trial;
 void flexel_lanes_step(const flexel_lanes *l, flexel_trial *trial);
 /* The end of the step becomes the start of the next in some lanes. */
 void flexel_lanes_accept(const flexel_lanes *l, const mask *where);
+
+/* Of covered.h: the end of the step is taken into the motions, and accepted in some lanes; the error of a position below which J
+ * is kept. */
+void flexel_lanes_look(const flexel_lanes *l);
+void flexel_lanes_cover(const flexel_lanes *l, const mask *where);
+void flexel_lanes_accepted_error(const flexel_lanes *l);
 
 /* z += (or, for `minus`, -=) the sum of a[l] times row at[l] of x, l < n, for `width` of `count` columns. The sums stay in
  * registers; the width is known to the compiler and is at most four. */

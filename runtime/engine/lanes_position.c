@@ -11,7 +11,7 @@ FLEXEL_INLINE void set_targets(flexel_work *s, flexel_choice *c)
     for (size_t i = 0; i < s->nf; i++) {
         V(c->target)[i] = i < c->nr ? flexel_all(0) : V(c->q)[i - c->nr];
         if ((size_t)c->rows[i] < s->m)
-            V(s->near)[c->rows[i]] = V(c->target)[i];
+            V(s->unwrap_from)[c->rows[i]] = V(c->target)[i];
     }
 }
 
@@ -33,12 +33,12 @@ FLEXEL_INLINE vec residuals(const flexel_work *s, flexel_choice *c)
 }
 
 /* What an error says of each lane: that its position is found, that one more correction is enough, or that it fails. */
-FLEXEL_INLINE void judge(const flexel_choice *c, const vec *error, const vec *last, mask *found, mask *accepted, mask *failed)
+FLEXEL_INLINE void judge(const flexel_lanes *l, const vec *error, const vec *last, mask *found, mask *accepted, mask *failed)
 {
     for (size_t i = 0; i < FLEXEL_BLOCK; i++) {
         const double z = (*error)[i];
-        (*found)[i] = z < c->tolerance || (z < FLEXEL_STALLED && z > 0.5 * (*last)[i]) ? -1 : 0;
-        (*accepted)[i] = z < c->accept ? -1 : 0;
+        (*found)[i] = z < l->choice->tolerance || (z < FLEXEL_STALLED && z > 0.5 * (*last)[i]) ? -1 : 0;
+        (*accepted)[i] = z < V(l->accept)[0][i] ? -1 : 0;
         (*failed)[i] |= z < INFINITY ? 0 : -1;
     }
 }
@@ -75,7 +75,7 @@ void flexel_lanes_locate(const flexel_lanes *l, mask *failed)
         c->positions++;
         const vec error = residuals(s, c);
         flexel_lanes_factor(&c->P, s->M, &bad);
-        judge(c, &error, &last, &found, &accepted, &bad);
+        judge(l, &error, &last, &found, &accepted, &bad);
         *failed |= ~done & bad;
         done |= bad | found;
         left = ~done;
@@ -162,7 +162,7 @@ void flexel_lanes_velocity(const flexel_lanes *l, mask *failed)
 }
 
 FLEXEL_CLONES
-void flexel_lanes_reach(const flexel_lanes *l)
+void flexel_lanes_amplification(const flexel_lanes *l)
 {
     const flexel_work *s = l->work;
     const flexel_choice *c = l->choice;
@@ -175,5 +175,5 @@ void flexel_lanes_reach(const flexel_lanes *l)
         z *= c->step_weight[i];
         largest = flexel_most(largest, z);
     }
-    V(l->reach)[0] = largest;
+    V(l->amplification_new)[0] = largest;
 }

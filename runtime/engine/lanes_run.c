@@ -23,15 +23,15 @@ static void propose(flexel_lanes *l, flexel_trial *trial)
     }
 }
 
-/* Whether the solution is where its shadow is, with the rates of the shadow, in degrees of freedom that are good enough. */
+/* Whether the solution has the predicted coordinates and rates, in degrees of freedom that are good enough. */
 static int trusted(const flexel_lanes *l, const flexel_trial *trial, size_t i)
 {
-    const double rtol = l->steps->rtol, expected = trial->error_x[i] + l->reached[i] * (l->atol + rtol);
-    const double allowed = l->atol + rtol * trial->fastest[i];
+    const double rtol = l->steps->rtol, expected = trial->error_x[i] + l->amplification[i] * (l->atol + rtol);
+    const double allowed = l->atol + rtol * trial->fastest[i], enlarged = fmax(l->amplification[i], 1);
     return trial->defect[i] <= l->farthest * fmax(expected, l->floor) &&
-           trial->defect_v[i] <= fmin(trial->error_v[i], l->shadow * trial->fastest[i]) + l->reached[i] * allowed &&
-           (trial->defect_v[i] <= l->exact * (trial->error_v[i] + allowed) || l->reach[i] <= l->near) &&
-           l->reach[i] <= l->allowed[i];
+           trial->defect_v[i] <= fmin(trial->error_v[i], l->predicted * trial->fastest[i]) + enlarged * allowed &&
+           (trial->defect_v[i] <= l->exact * (trial->error_v[i] + allowed) || l->amplification_new[i] <= l->unamplified) &&
+           l->amplification_new[i] <= l->allowed[i];
 }
 
 /* Whether a trial may have been refused because a stage is close to a flat position. */
@@ -52,11 +52,18 @@ static int touches(const flexel_lanes *l, size_t i)
     return 0;
 }
 
+/* Whether a step may have passed a flat position, as in dips.py: the determinant falls in it, or fell in the step before. */
+static int dips(flexel_lanes *l, size_t i)
+{
+    l->size_new[i] = flexel_lanes_logarithm(&l->choice->P, i);
+    return l->size[i] - l->size_new[i] >= l->dip || (!isnan(l->size[i]) && l->fall[i] >= l->dip);
+}
+
 /* What becomes of a trial in one lane: its step is good, or tried again with another length, or the lane stops. */
 static int conclude(flexel_lanes *l, const flexel_trial *trial, size_t i)
 {
-    const double parts = trial->error[i] + trial->error_x[i] + trial->error_turns[i];
-    const double error = fmax(fmax(trial->error[i], trial->error_x[i] / l->shadow), trial->error_turns[i] / l->turns);
+    const double own = fmax(trial->error[i], trial->error_own[i]), turns = trial->error_turns[i] / l->turns;
+    const double parts = own + trial->error_x[i] + turns, error = fmax(fmax(own, trial->error_x[i] / l->predicted), turns);
     const int unusual = error < 1 ? trial->changed[i] || !trusted(l, trial, i) : l->tries[i] || suspicious(l, trial, i);
     if (trial->failed[i] || !isfinite(parts) || unusual) {
         l->doing[i] = FLEXEL_STOPPED;
@@ -76,9 +83,15 @@ static int conclude(flexel_lanes *l, const flexel_trial *trial, size_t i)
 /* The step of a lane is taken: it goes on from the end. */
 static void take(flexel_lanes *l, size_t i)
 {
+    const double h = l->to[i] - l->t[i];
+    double *longest = l->steps->covered->sizes_new + FLEXEL_LONGEST * FLEXEL_BLOCK + i;
+    *longest = fmax(*longest, h);
     l->doing[i] = FLEXEL_RUNNING;
+    flexel_account_accept(l->accounts[i], h);
     l->t[i] = l->to[i];
-    l->reached[i] = l->reach[i];
+    l->amplification[i] = l->amplification_new[i];
+    l->fall[i] = isnan(l->size[i]) ? 0 : l->size[i] - l->size_new[i];
+    l->size[i] = l->size_new[i];
     l->taken[i]++;
     l->refused[i] += l->tries[i];
     l->tries[i] = 0;
@@ -93,10 +106,10 @@ static int advance(flexel_lanes *l)
     propose(l, &trial);
     flexel_lanes_step(l, &trial);
     flexel_lanes_rates(l->work);
-    flexel_lanes_reach(l);
+    flexel_lanes_amplification(l);
     for (size_t i = 0; i < FLEXEL_BLOCK; i++) {
         if (l->doing[i] == FLEXEL_RUNNING && conclude(l, &trial, i)) {
-            if (touches(l, i)) {
+            if (touches(l, i) || dips(l, i)) {
                 l->doing[i] = FLEXEL_STOPPED;
             } else if (l->to[i] >= l->until[i]) {
                 l->doing[i] = FLEXEL_PASSED;

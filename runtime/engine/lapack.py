@@ -18,7 +18,7 @@ _POINTER.restype, _POINTER.argtypes = ctypes.c_void_p, [ctypes.py_object, ctypes
 
 @cache
 def lapack(name: str, kind: str) -> Any:
-    """A pointer of a type of the engine to a function, such as "dgetrf"."""
+    """Return a pointer of a type of the engine to a function, such as "dgetrf"."""
     functions: dict[str, Any] = dict(cython_lapack.__pyx_capi__)
     capsule = functions[name]
     return ffi.cast(kind, _POINTER(capsule, _NAME(capsule)))

@@ -14,11 +14,11 @@ from functools import cached_property
 import numpy as np
 
 from flexel.base.arrays import Array, Index
-from flexel.engine.kernels import Batch
+from flexel.engine.batches import Batch
 from flexel.engine.lanes import filled
 from flexel.engine.patterns import JacobianPattern
 from flexel.engine.stages import Stage, flat, sums
-from flexel.structure.structure import Structure
+from flexel.model.structure import Structure
 
 
 @dataclass(frozen=True)
@@ -73,9 +73,9 @@ class LawTables:
         self._collect()
 
     def _pairs(self, i: int) -> Index:
-        """Codes (laws, rows, rows) of all pairs of a batch."""
-        z = self.lines[i]
-        return np.asarray(z[:, :, None] * self._rows + z[:, None, :])
+        """Return the codes (laws, rows, rows) of all pairs of a batch."""
+        lines = self.lines[i]
+        return np.asarray(lines[:, :, None] * self._rows + lines[:, None, :])
 
     @property
     def zero(self) -> int:
@@ -84,7 +84,7 @@ class LawTables:
 
     def _lag(self, i: int) -> Lag:
         b = self.batches[i]
-        m, k, nz = (b.places[z].shape[1] for z in ("e", "s", "z"))
+        m, k, nz = (b.places[name].shape[1] for name in ("e", "s", "z"))
         rows, columns = m + k + nz, 2 * m + k + nz
         at = np.full((b.size, rows * columns), -1)
         at[:, self.tangent.nonzeros(i, "J")] = self.tangent.places(i, "J")
@@ -95,7 +95,7 @@ class LawTables:
         return Lag(b.size, m, k, at, b.places["z"], first, matrix, sides)
 
     def _collect(self) -> None:
-        """The sums of all outputs; laws are numbered batch by batch."""
+        """Collect the sums of all outputs; laws are numbered batch by batch."""
         m, law = self.structure.m, self.law
         found: list[list[tuple[Index, Index]]] = [[] for _ in range(6)]
         stress, zd, U, P, value, rate = found
@@ -117,7 +117,12 @@ class LawTables:
         self.U, self.P = law.summed(U, self.count), law.summed(P, self.count)
         size = self.codes.size
         self.value, self.rate = (
-            sums(flat(z for z, _ in part), flat(z for _, z in part), size, self.zero)
+            sums(
+                flat(targets for targets, _ in part),
+                flat(places for _, places in part),
+                size,
+                self.zero,
+            )
             for part in (value, rate)
         )
 
@@ -125,7 +130,7 @@ class LawTables:
         self, i: int, lag: Lag | None, value: list[tuple[Index, Index]], rate: list[tuple[Index, Index]]
     ) -> None:
         """Add the pairs of a batch with the places of their derivatives, by e and by rates."""
-        m, k = (self.batches[i].places[z].shape[1] for z in ("e", "s"))
+        m, k = (self.batches[i].places[name].shape[1] for name in ("e", "s"))
         direct = 2 * m + k
         if lag is None:
             at, places = self.tangent.nonzeros(i, "J"), self.tangent.places(i, "J")
@@ -139,13 +144,13 @@ class LawTables:
             part.append((pair[:, row[some], own[some]], places[:, some]))
 
     def find(self, codes: Index) -> Index:
-        """Pair of each code; the number of pairs, where a zero lies, if there is none."""
+        """Return the pair of each code; where there is none, the number of pairs, the index of a zero."""
         size = self.codes.size
         at = np.minimum(np.searchsorted(self.codes, codes), size - 1) if size else np.zeros_like(codes)
         return np.where(self.codes[at] == codes, at, size) if size else at
 
     def own(self, lines: Index) -> tuple[Index, bool] | None:
-        """Pairs within the elements of a type, in lanes, and whether all are diagonal; None if no law acts.
+        """Return the pairs within elements of a type, in lanes, and whether all are diagonal; None if no law acts.
 
         Parameters
         ----------
@@ -161,7 +166,7 @@ class LawTables:
         return filled(found, size), alone
 
     def foreign(self, J: JacobianPattern) -> tuple[Index, Index, Index]:
-        """Pairs across elements, and the two entries of J that are multiplied."""
+        """Return the pairs across elements, and the two entries of J that are multiplied."""
         element = np.zeros(self._rows, dtype=np.intp)
         number = 0
         for lines in J.lines:
@@ -173,9 +178,9 @@ class LawTables:
         left, right = self.codes // self._rows, self.codes % self._rows
         found = []
         for p in np.flatnonzero((element[left] != element[right]) | related[left]):
-            a, b = (np.arange(J.start[z[p]], J.start[z[p] + 1]) for z in (left, right))
+            a, b = (np.arange(J.start[side[p]], J.start[side[p] + 1]) for side in (left, right))
             found.append((np.full(a.size * b.size, p), np.repeat(a, b.size), np.tile(b, a.size)))
-        pair, at, by = (flat(z[i] for z in found) for i in range(3))
+        pair, at, by = (flat(arrays[i] for arrays in found) for i in range(3))
         return pair, at, by
 
     @cached_property
@@ -190,13 +195,13 @@ class LawTables:
             at = self.tangent.nonzeros(i, "J")
             row, column = lines[:, at // columns.shape[1]], columns[:, at % columns.shape[1]]
             parts.append((row, column, self.tangent.places(i, "J")))
-        rows, across, places = (flat(z[i] for z in parts) for i in range(3))
+        rows, across, places = (flat(part[i] for part in parts) for i in range(3))
         return rows, across, places
 
 
 def _coupled(batch: Batch, stage: Stage, i: int) -> Array:
-    """Which stresses (rows) of a law depend on which of its quantities (rows, rows), at all."""
-    m, k, nz = (batch.places[z].shape[1] for z in ("e", "s", "z"))
+    """Return which stresses (rows) of a law depend on which of its quantities (rows, rows), at all."""
+    m, k, nz = (batch.places[name].shape[1] for name in ("e", "s", "z"))
     found = np.full((m + k, m + k), nz > 0)
     row, column = np.divmod(stage.nonzeros(i, "J"), 2 * m + k + nz)
     own = (row < m + k) & (column < 2 * m + k)

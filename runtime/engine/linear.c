@@ -43,7 +43,7 @@ static void derive(flexel_work *s, const flexel_linear *l, const double *state, 
     state = flexel_take_numbers(s->v, state, s->n);
     state = flexel_take_numbers(s->a, state, s->n);
     state = flexel_take_numbers(s->z, state, s->nz);
-    state = flexel_take_numbers(s->near, state, s->m);
+    state = flexel_take_numbers(s->unwrap_from, state, s->m);
     flexel_position(s);
     flexel_rates(s);
     flexel_take_numbers(s->stress, state, s->m + s->k);

@@ -10,9 +10,9 @@ import numpy as np
 from scipy.sparse import csr_array
 
 from flexel.base.arrays import Array, Index
-from flexel.engine.kernels import Batch
+from flexel.engine.batches import Batch
 from flexel.engine.stages import Stage, Sums, flat, sums
-from flexel.structure.structure import Structure
+from flexel.model.structure import Structure
 
 
 @dataclass(frozen=True)
@@ -25,7 +25,7 @@ class Terms:
 
 
 def terms(rows: Sequence[tuple[int, int, float]]) -> Terms:
-    """Terms from a list of (target, source, factor)."""
+    """Convert a list of (target, source, factor) to terms."""
     found = np.array(rows, dtype=float).reshape(-1, 3)
     return Terms(found[:, 0].astype(np.intp), found[:, 1].astype(np.intp), found[:, 2].copy())
 
@@ -51,18 +51,18 @@ class Pattern:
         return int(self._codes.size)
 
     def matrix(self, values: Array) -> Any:
-        """A sparse matrix with a copy of the values."""
+        """Return a sparse matrix with a copy of the values."""
         return csr_array((values.copy(), self.column, self.start), shape=self.shape)
 
     def rows_of(self, rows: Index, width: int) -> tuple[Index, Index]:
-        """Entries of some rows, in their order, in the first columns; and for each the place of its row among them."""
+        """Return the entries of some rows in the first columns, and for each the number of its row among them."""
         entries = flat(np.arange(self.start[i], self.start[i + 1]) for i in rows)
         place = np.repeat(np.arange(rows.size), self.start[rows + 1] - self.start[rows])
         own = self.column[entries] < width
         return entries[own], place[own]
 
     def find(self, rows: Index, columns: Index) -> Index:
-        """Numbers of entries of the pattern."""
+        """Return the numbers of entries of the pattern."""
         return np.searchsorted(self._codes, rows * self.shape[1] + columns)
 
 
@@ -86,19 +86,21 @@ class JacobianPattern(Pattern):
         self.lines = [np.concatenate([b.places["sigma"], b.places["tau"] + m], axis=1) for b in batches]
         columns = [b.places["x"] for b in batches]
         units = np.arange(n)
-        rows = [np.repeat(z, c.shape[1], axis=1) for z, c in zip(self.lines, columns, strict=True)]
-        across = [np.tile(c, (1, z.shape[1])) for z, c in zip(self.lines, columns, strict=True)]
+        rows = [np.repeat(lines, c.shape[1], axis=1) for lines, c in zip(self.lines, columns, strict=True)]
+        across = [np.tile(c, (1, lines.shape[1])) for lines, c in zip(self.lines, columns, strict=True)]
         row_of, column_of = flat([*rows, units + m + k]), flat([*across, units])
         own = Pattern(row_of, column_of, (m + k + n, n))
         related = [
             (np.full(c.size, r), c) for r, terms_ in _relations(structure) for c in _columns(own, terms_)
         ]
         super().__init__(
-            flat([row_of, *(z for z, _ in related)]), flat([column_of, *(z for _, z in related)]), own.shape
+            flat([row_of, *(row for row, _ in related)]),
+            flat([column_of, *(column for _, column in related)]),
+            own.shape,
         )
         self.own = [
-            self.find(r, c).reshape(*z.shape, x.shape[1])
-            for r, c, z, x in zip(rows, across, self.lines, columns, strict=True)
+            self.find(r, c).reshape(*lines.shape, x.shape[1])
+            for r, c, lines, x in zip(rows, across, self.lines, columns, strict=True)
         ]
         self.units = self.find(units + m + k, units)
         self.relations = self._related(structure)
@@ -117,7 +119,7 @@ class JacobianPattern(Pattern):
         return terms(found)
 
     def _sums(self, stage: Stage, names: tuple[str, ...], unit: int | None) -> Sums:
-        """The entries from outputs whose rows follow one another in the elements; coordinates have `unit`."""
+        """Sum the entries of outputs whose rows follow one another in the elements; coordinates have `unit`."""
         targets, sources = [], []
         for i in stage.numbers:
             E, rows, columns = self.own[i].shape
@@ -132,12 +134,12 @@ class JacobianPattern(Pattern):
         return sums(flat(targets), flat(sources), self.size, stage.zero)
 
     def derivatives(self, stage: Stage, name: str) -> Sums:
-        """The entries of derivatives of rates or accelerations, from a stage with rows of all quantities."""
+        """Sum the entries of derivatives of rates or accelerations, from a stage with rows of all quantities."""
         return self._sums(stage, (name,), None)
 
 
 def _relations(structure: Structure) -> list[tuple[int, list[tuple[int, float]]]]:
-    """Each relation with its terms: quantities and coefficients."""
+    """Return each relation with its terms: quantities and coefficients."""
     found = []
     for r, i in enumerate(structure.relations.rows.tolist()):
         row = structure.relations.C[[r]].tocoo()
@@ -160,13 +162,13 @@ class RelationTerms:
 
 
 def relation_terms(structure: Structure) -> RelationTerms:
-    """The terms of all relations."""
+    """Return the terms of all relations."""
     m, first = structure.m, structure.m + structure.k
     every = [(r, j, c) for r, row in _relations(structure) for j, c in row]
     return RelationTerms(
-        e=terms([z for z in every if z[1] < m]),
+        e=terms([term for term in every if term[1] < m]),
         x=terms([(r, j - first, c) for r, j, c in every if j >= first]),
-        g=terms([z for z in every if z[1] < first]),
+        g=terms([term for term in every if term[1] < first]),
         stress=terms([(j, r, c) for r, j, c in every if j < first]),
     )
 
@@ -192,7 +194,7 @@ class MassPattern(Pattern):
         super().__init__(row, column, (n, n))
         at = self.find(row, column)
         self.sums = sums(at, flat(sources), self.size, inertia.zero)
-        share = np.concatenate([np.zeros(0), *(np.ravel(z) for z in weights)])
+        share = np.concatenate([np.zeros(0), *(np.ravel(values) for values in weights)])
         self.damped = bool(share.any())
         self.damping = sums(at, flat(sources), self.size, inertia.zero, share)
         self.free = self.start[:-1] + np.bincount(self.row[self.column < structure.nf], minlength=n)

@@ -20,7 +20,7 @@ static void set_targets(flexel_work *s, flexel_choice *c)
     for (size_t i = 0; i < s->nf; i++) {
         c->target[i] = i < c->nr ? 0 : i < held ? c->motion[i - c->nr] : c->q[i - held];
         if ((size_t)c->rows[i] < s->m)
-            s->near[c->rows[i]] = c->target[i];
+            s->unwrap_from[c->rows[i]] = c->target[i];
     }
 }
 
@@ -44,17 +44,20 @@ int flexel_factorize(flexel_work *s, flexel_choice *c)
 int flexel_locate(flexel_work *s, flexel_choice *c)
 {
     double last = INFINITY;
+    int reusable = c->reusable; /* factors of P at a position close to this one */
     set_targets(s, c);
     for (size_t iteration = 0; iteration < FLEXEL_MOST_ITERATIONS; iteration++) {
         flexel_position(s);
         c->positions++;
         const double error = c->error = residuals(s, c);
-        const int good = error < c->tolerance || (error < FLEXEL_STALLED && error > 0.5 * last);
+        const int good = error < c->tolerance || (error < FLEXEL_STALLED && error > 0.5 * last) ||
+                         (last < c->kept && error < FLEXEL_ROUNDING);
         if (!isfinite(error))
             return FLEXEL_UNREACHED;
-        const int failed = flexel_factorize(s, c);
+        const int failed = !good && reusable && error < c->kept ? FLEXEL_DONE : flexel_factorize(s, c);
         if (failed || good)
             return failed;
+        reusable = 0;
         flexel_matrix_solve(&c->P, 1, c->residual, c->step, c->work);
         double largest = 0;
         for (size_t i = 0; i < s->nf; i++) {

@@ -12,10 +12,9 @@ static const double SAFETY = 0.9, SMALLEST = 0.2, LARGEST = 8, KEPT = 1.2, HALF 
 static const double SLOW = 1e-3;        /* rate of convergence from which J is evaluated again */
 static const double LEAST_ERROR = 1e-2; /* of a step that the prediction of the next one uses at least */
 static const double SMALL = 1e-10;
-static const double MINOR = 1e-4; /* values of a degree of freedom, or rates, relative to the largest ones, that count as zero */
 /* Distance of the solved coordinates from the integral of their rates that is allowed: a part of the tolerance, but no less. In
  * long steps the estimate of the error of y says little about the coordinates that depend on it. */
-static const double PART = 0.2, SHADOW = 2e-4;
+static const double PART = 0.2, SMALLEST_DISTANCE = 2e-4;
 
 static double norm(const flexel_radau *o, const double *error)
 {
@@ -25,27 +24,65 @@ static double norm(const flexel_radau *o, const double *error)
     return o->ny ? sqrt(sum / (double)o->ny) : 0;
 }
 
-/* Allowed errors of some variables, for the largest values so far and y + Z. Those that are small beside the others of their
- * kind count as a part of these. */
-static void allow_some(flexel_radau *o, const double *Z, size_t first, size_t end, double part)
+/* Sizes of y + Z. */
+static const double *sizes(flexel_radau *o, const double *Z)
+{
+    double *variables = o->space, *size = o->space + o->ny;
+    for (size_t i = 0; i < o->ny; i++) {
+        variables[i] = o->y[i] + Z[i];
+        size[i] = fabs(variables[i]);
+    }
+    flexel_turns_sizes(o->turns, variables, size);
+    flexel_angles_sizes(o->angles, variables, size);
+    return size;
+}
+
+/* The largest sizes so far, up to y + Z. */
+static void note_sizes(flexel_radau *o, const double *Z)
+{
+    const double *size = sizes(o, Z);
+    for (size_t i = 0; i < o->ny; i++)
+        o->largest[i] = fmax(o->largest[i], size[i]);
+}
+
+/* Allowed errors of some variables, for the largest sizes so far and others: shares of the absolute tolerances, and of sizes
+ * up to `limit` in natural scales. Those that are small beside the others of their kind count as a part of these. */
+static void allow_some(flexel_radau *o, const double *size, size_t first, size_t end, double share, double limit, double part)
 {
     double most = 0;
     for (size_t i = first; i < end; i++) {
-        const double here = Z ? fabs(o->y[i] + Z[i]) : 0;
-        o->scale[i] = fmax(o->largest[i], here);
+        o->scale[i] = fmin(fmax(o->largest[i], size[i]), limit * o->natural[i]);
         most = fmax(most, o->scale[i] / o->natural[i]);
     }
     for (size_t i = first; i < end; i++)
-        o->scale[i] = o->atol[i] + o->rtol * fmax(o->scale[i], part * most * o->natural[i]);
+        o->scale[i] = share * o->atol[i] + o->rtol * fmax(o->scale[i], part * most * o->natural[i]) + FLEXEL_NO_ERROR;
 }
 
-/* The same of all variables. */
-static void allow(flexel_radau *o, const double *Z)
+/* The first step from an instant has no polynomial that says how far it leads; its rates do. */
+static void look_ahead(flexel_radau *o)
 {
+    double *m = o->covered->sizes_new;
     const size_t nq = o->nd + o->nk;
-    allow_some(o, Z, 0, nq, MINOR);
-    allow_some(o, Z, nq, nq + o->nd, MINOR);
-    allow_some(o, Z, nq + o->nd, o->ny, 0);
+    for (size_t i = 0; i < o->nd; i++)
+        m[FLEXEL_FASTEST] = fmax(m[FLEXEL_FASTEST], fabs(o->h * o->f[nq + i]) / o->natural[nq + i]);
+    m[FLEXEL_RANGE] = fmax(m[FLEXEL_RANGE], o->h * m[FLEXEL_FASTEST]);
+}
+
+void flexel_radau_allow(const flexel_work *s, const flexel_choice *c, flexel_radau *o, const double *Z)
+{
+    flexel_covered *m = o->covered;
+    const size_t nq = o->nd + o->nk, laws = nq + o->nd;
+    const double *size = sizes(o, Z);
+    flexel_covered_look(s, m, c->step_weight, s->x, s->v, o->space + laws); /* where y + Z is */
+    if (!(o->last_h > 0) && o->iterations == 0)
+        look_ahead(o);
+    const flexel_shares shares = flexel_shares_of(m, m->sizes_new, 1, o->h);
+    allow_some(o, size, 0, nq, shares.coordinates, shares.most * m->atol, o->minor);
+    allow_some(o, size, nq, laws, shares.rates, INFINITY, o->minor);
+    for (size_t i = 0; i < s->nz; i++) {
+        const double share = flexel_share_of_states(&shares, m->states_new[m->group[i]]);
+        allow_some(o, size, laws + i, laws + i + 1, share, INFINITY, 0);
+    }
 }
 
 /* The next position is sought from that at the start of the step. */
@@ -64,12 +101,16 @@ int flexel_radau_begin(flexel_work *s, flexel_choice *c, flexel_radau *o)
     o->waiting = o->rejected = o->fresh = 0;
     o->tried = 0;
     return_to_start(s, c, o);
+    flexel_turns_begin(o->turns, o->x, o->v, o->y);
+    flexel_angles_leave(o->angles, o->x);
     memset(o->Z, 0, o->ny * sizeof(double));
     const int failed = flexel_radau_rates(s, c, o, 3, 0, o->Z, o->f);
-    if (!failed)
+    if (!failed) {
+        flexel_angles_begin(o->angles, s, c, o->y, o->f);
         o->sign = flexel_matrix_sign(&c->P);
-    for (size_t i = 0; i < o->ny; i++)
-        o->largest[i] = fmax(o->largest[i], fabs(o->y[i]));
+        flexel_account_begin(o->account, s, c);
+    }
+    note_sizes(o, o->Z);
     return failed;
 }
 
@@ -88,6 +129,15 @@ void flexel_radau_refuse(flexel_radau *o, double factor)
     o->refused++;
 }
 
+void flexel_radau_look_again(flexel_radau *o)
+{
+    flexel_turns_look(o->turns, o->y);
+    flexel_angles_look(o->angles);
+    o->fresh = 1;
+    o->stale = 0;
+    o->factorized = 0;
+}
+
 /* The length of the next trial; whether it is too short. */
 static int shortened(flexel_work *s, flexel_radau *o)
 {
@@ -98,19 +148,26 @@ static int shortened(flexel_work *s, flexel_radau *o)
     o->h = fmin(fmin(o->h, o->longest), left);
     if (o->h * fastest > o->travel)
         o->h = o->travel / fastest;
+    const double angle = 2 * o->travel; /* of which Euler parameters turn by half */
+    o->h = fmin(o->h, fmin(flexel_turns_longest(o->turns, o->y, angle), flexel_angles_longest(o->angles, o->y, angle)));
     return o->h < o->shortest && o->h < left;
 }
 
 /* The polynomial of the last step, continued. */
 static void guess(flexel_radau *o)
 {
+    double *last = o->space;
     memset(o->Z, 0, 3 * o->ny * sizeof(double));
+    for (size_t i = 0; i < o->ny; i++)
+        last[i] = o->powers[i] + o->powers[o->ny + i] + o->powers[2 * o->ny + i] + o->powers[3 * o->ny + i];
     for (size_t k = 0; k < 3 && o->last_h > 0; k++) {
         const double part = 1 + o->C[k] * o->h / o->last_h;
         double power = part;
         for (size_t p = 0; p < 4; p++, power *= part)
             for (size_t i = 0; i < o->ny; i++)
                 o->Z[k * o->ny + i] += (power - 1) * o->powers[p * o->ny + i];
+        flexel_turns_guess(o->turns, last, o->Z + k * o->ny);
+        flexel_angles_guess(o->angles, o->y, o->Z + k * o->ny);
     }
 }
 
@@ -119,7 +176,7 @@ static int judge(flexel_work *s, flexel_choice *c, flexel_radau *o)
 {
     const size_t n = o->ny;
     double *change = o->F, *filtered = o->F + n;
-    allow(o, o->Z + 2 * n);
+    flexel_radau_allow(s, c, o, o->Z + 2 * n);
     for (size_t i = 0; i < n; i++) {
         change[i] = 0;
         for (size_t k = 0; k < 3; k++)
@@ -165,12 +222,12 @@ static int attempt(flexel_work *s, flexel_choice *c, flexel_radau *o)
     if (o->tried++)
         return_to_start(s, c, o);
     guess(o);
-    allow(o, NULL);
     int failed = flexel_radau_stages(s, c, o, o->h);
     if (failed)
         return failed;
-    if (!o->converged) {
-        if (!o->fresh)
+    const int far = flexel_turns_far(o->turns, o->Z + 2 * o->ny) || flexel_angles_far(o->angles, o->Z + 2 * o->ny);
+    if (!o->converged || far) {
+        if (!o->fresh && !far)
             return FLEXEL_RADAU_JACOBIAN;
         flexel_radau_refuse(o, HALF);
         o->last_error = 0;
@@ -182,6 +239,15 @@ static int attempt(flexel_work *s, flexel_choice *c, flexel_radau *o)
     return failed;
 }
 
+/* The allowed distance of the solved coordinates from the integral of their rates, in natural scales. */
+static double allowed_distance(const flexel_radau *o)
+{
+    const double *found = o->covered->sizes_new, distance = fmax(SMALLEST_DISTANCE, PART * o->rtol);
+    if (!o->covered->relative)
+        return distance;
+    return fmax(distance * flexel_at_most_one(found[FLEXEL_RANGE]), o->finest * fmax(1, found[FLEXEL_FARTHEST]));
+}
+
 /* Rates at the end, and whether the end is where the rates in the step lead to. */
 static int look_at_end(flexel_work *s, flexel_choice *c, flexel_radau *o)
 {
@@ -190,6 +256,7 @@ static int look_at_end(flexel_work *s, flexel_choice *c, flexel_radau *o)
     if (failed)
         return failed;
     memcpy(o->V + 2 * nf, s->v, nf * sizeof(double));
+    flexel_account_end(o->account, s, c);
     o->off = o->coarse = 0;
     for (size_t i = 0; i < nf; i++) {
         const double moved = s->x[i] - o->x[i], weight = c->step_weight[i];
@@ -203,7 +270,8 @@ static int look_at_end(flexel_work *s, flexel_choice *c, flexel_radau *o)
     }
     o->changed = flexel_matrix_sign(&c->P) != o->sign;
     flexel_rates(s);
-    o->error = fmax(o->error, o->off / fmax(SHADOW, PART * o->rtol));
+    flexel_covered_look(s, o->covered, c->step_weight, s->x, s->v, o->space + 2 * o->nd + o->nk); /* where y + Z is */
+    o->error = fmax(o->error, o->off / allowed_distance(o));
     shorten(o);
     return FLEXEL_DONE;
 }
@@ -252,9 +320,11 @@ static void interpolate(flexel_radau *o)
         }
 }
 
-void flexel_radau_accept(flexel_work *s, flexel_radau *o)
+void flexel_radau_accept(flexel_work *s, flexel_choice *c, flexel_radau *o)
 {
     const size_t n = o->ny;
+    flexel_account_accept(o->account, o->h);
+    flexel_covered_accept(s, o->covered, s->x, s->v, o->h);
     o->stale = o->iterations > 2 && o->rate > SLOW;
     const double next = next_length(o);
     interpolate(o);
@@ -262,11 +332,12 @@ void flexel_radau_accept(flexel_work *s, flexel_radau *o)
     o->last_error = fmax(o->error, LEAST_ERROR);
     o->t = o->h == o->end - o->t ? o->end : o->t + o->h;
     o->h = next;
-    for (size_t i = 0; i < n; i++) {
+    note_sizes(o, o->Z + 2 * n);
+    for (size_t i = 0; i < n; i++)
         o->y[i] += o->Z[2 * n + i];
-        o->largest[i] = fmax(o->largest[i], fabs(o->y[i]));
-    }
     memcpy(o->f, o->f_new, n * sizeof(double));
+    flexel_turns_accept(o->turns, o->y, o->f);
+    flexel_angles_accept(o->angles, s, c, o->y, o->f);
     memcpy(o->given + 3 * o->ngiven, o->given + 2 * o->ngiven, o->ngiven * sizeof(double));
     memcpy(o->x, s->x, s->n * sizeof(double));
     memcpy(o->v, s->v, s->n * sizeof(double));

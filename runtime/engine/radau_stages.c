@@ -11,22 +11,25 @@ static size_t rate_column(const flexel_radau *o, size_t i)
     return o->nk + i;
 }
 
-/* The matrix shift 1 - J without q_d, by columns, for a real shift or a complex one (re + i im). */
-static void fill(const flexel_radau *o, double re, double im, int numbers, double *matrix)
+/* The matrix shift 1 - J without q_d, by columns, for a real shift or a complex one. */
+static void fill(const flexel_radau *o, const double *shift, size_t numbers, double *matrix)
 {
     const size_t n = o->size, nd = o->nd;
-    const double size = re * re + im * im, inverse[2] = {re / size, -im / size};
-    memset(matrix, 0, n * n * (size_t)numbers * sizeof(double));
+    double *by_rates = o->divided;
+    memset(matrix, 0, n * n * numbers * sizeof(double));
     for (size_t i = 0; i < n; i++) {
         const double *row = o->J + (nd + i) * o->ny;
         for (size_t j = 0; j < n; j++)
-            matrix[(j * n + i) * (size_t)numbers] = -row[nd + j];
+            matrix[(j * n + i) * numbers] = -row[nd + j];
+        memset(by_rates, 0, nd * numbers * sizeof(double));
         for (size_t j = 0; j < nd; j++)
-            for (int part = 0; part < numbers; part++)
-                matrix[(rate_column(o, j) * n + i) * (size_t)numbers + (size_t)part] -= row[j] * inverse[part];
-        matrix[(i * n + i) * (size_t)numbers] += re;
-        if (numbers == 2)
-            matrix[(i * n + i) * 2 + 1] += im;
+            by_rates[j * numbers] = row[j];
+        flexel_turns_divide(o->turns, shift, -1, nd, numbers, by_rates);
+        for (size_t j = 0; j < nd; j++)
+            for (size_t part = 0; part < numbers; part++)
+                matrix[(rate_column(o, j) * n + i) * numbers + part] -= by_rates[j * numbers + part];
+        for (size_t part = 0; part < numbers; part++)
+            matrix[(i * n + i) * numbers + part] += shift[part];
     }
 }
 
@@ -43,11 +46,14 @@ int flexel_radau_factorize(flexel_radau *o, double h)
     int n = (int)o->size, info = 0;
     if (!n)
         return 0;
-    fill(o, o->mu / h, 0, 1, o->real_factors);
+    const double shift = o->mu / h, pair[2] = {o->pair[0] / h, o->pair[1] / h};
+    if (o->saddle)
+        return flexel_radau_saddle_factorize(o->saddle, shift, pair);
+    fill(o, &shift, 1, o->real_factors);
     o->real_factorize(&n, &n, o->real_factors, &n, o->real_pivots, &info);
     if (info || !are_finite(o->size * o->size, o->real_factors))
         return 1;
-    fill(o, o->pair[0] / h, o->pair[1] / h, 2, o->complex_factors);
+    fill(o, pair, 2, o->complex_factors);
     o->complex_factorize(&n, &n, o->complex_factors, &n, o->complex_pivots, &info);
     return info || !are_finite(2 * o->size * o->size, o->complex_factors);
 }
@@ -106,43 +112,56 @@ static void substitute_complex(size_t n, const double *factors, const int *pivot
 void flexel_radau_solve(const flexel_radau *o, double h, double *b)
 {
     const size_t nd = o->nd;
-    const double inverse = h / o->mu;
-    double *u = b + nd;
+    const double shift = o->mu / h;
+    double *u = b + nd, *divided = o->divided;
+    if (o->saddle) {
+        flexel_radau_saddle_solve(o->saddle, shift, b);
+        return;
+    }
+    memcpy(divided, b, nd * sizeof(double));
+    flexel_turns_divide(o->turns, &shift, 1, nd, 1, divided);
     for (size_t i = 0; i < o->size; i++) {
         const double *row = o->J + (nd + i) * o->ny;
         double sum = 0;
         for (size_t j = 0; j < nd; j++)
-            sum += row[j] * b[j];
-        u[i] += sum * inverse;
+            sum += row[j] * divided[j];
+        u[i] += sum;
     }
     substitute(o->size, o->real_factors, o->real_pivots, u);
     for (size_t j = 0; j < nd; j++)
-        b[j] = (b[j] + u[rate_column(o, j)]) * inverse;
+        b[j] += u[rate_column(o, j)];
+    flexel_turns_divide(o->turns, &shift, 1, nd, 1, b);
 }
 
 /* The same for the complex eigenvalue, with pairs of numbers. */
 static void solve_complex(const flexel_radau *o, double h, double *b)
 {
     const size_t nd = o->nd;
-    const double size = o->pair[0] * o->pair[0] + o->pair[1] * o->pair[1];
-    const double re = h * o->pair[0] / size, im = -h * o->pair[1] / size;
-    double *u = b + 2 * nd;
+    const double pair[2] = {o->pair[0] / h, o->pair[1] / h};
+    double *u = b + 2 * nd, *divided = o->divided;
+    if (o->saddle) {
+        flexel_radau_saddle_solve_pair(o->saddle, pair, b);
+        return;
+    }
+    memcpy(divided, b, 2 * nd * sizeof(double));
+    flexel_turns_divide(o->turns, pair, 1, nd, 2, divided);
     for (size_t i = 0; i < o->size; i++) {
         const double *row = o->J + (nd + i) * o->ny;
         double sum[2] = {0, 0};
         for (size_t j = 0; j < nd; j++) {
-            sum[0] += row[j] * b[2 * j];
-            sum[1] += row[j] * b[2 * j + 1];
+            sum[0] += row[j] * divided[2 * j];
+            sum[1] += row[j] * divided[2 * j + 1];
         }
-        u[2 * i] += sum[0] * re - sum[1] * im;
-        u[2 * i + 1] += sum[0] * im + sum[1] * re;
+        u[2 * i] += sum[0];
+        u[2 * i + 1] += sum[1];
     }
     substitute_complex(o->size, o->complex_factors, o->complex_pivots, u);
     for (size_t j = 0; j < nd; j++) {
-        const double *rate = u + 2 * rate_column(o, j), x = b[2 * j] + rate[0], y = b[2 * j + 1] + rate[1];
-        b[2 * j] = x * re - y * im;
-        b[2 * j + 1] = x * im + y * re;
+        const double *rate = u + 2 * rate_column(o, j);
+        b[2 * j] += rate[0];
+        b[2 * j + 1] += rate[1];
     }
+    flexel_turns_divide(o->turns, pair, 1, nd, 2, b);
 }
 
 /* to = matrix from, for three rows */
@@ -159,10 +178,19 @@ int flexel_radau_rates(flexel_work *s, flexel_choice *c, flexel_radau *o, size_t
     const double *given = o->given + k * o->ngiven;
     memcpy(c->motion, given, 3 * c->np * sizeof(double));
     memcpy(c->loads, given + 3 * c->np, c->nloads * sizeof(double));
+    double *variables = o->space;
+    const double passed = k < 3 ? o->C[k] * h : 0;
     for (size_t i = 0; i < o->ny; i++)
-        o->space[i] = o->y[i] + Z[i];
+        o->placed[i] = variables[i] = o->y[i] + Z[i];
+    flexel_turns_place(o->turns, variables, o->placed, o->known);
+    flexel_angles_place(o->angles, passed, variables, o->placed, o->known + 4 * o->turns->count);
     o->evaluations++;
-    return flexel_rhs(s, c, k < 3 ? o->t + o->C[k] * h : o->t, o->space, f);
+    const int failed = flexel_rhs(s, c, o->t + passed, o->placed, f);
+    if (!failed) {
+        flexel_turns_rates(o->turns, s, variables, f);
+        flexel_angles_rates(o->angles, variables, f);
+    }
+    return failed;
 }
 
 static int all_rates(flexel_work *s, flexel_choice *c, flexel_radau *o, double h)
@@ -172,6 +200,7 @@ static int all_rates(flexel_work *s, flexel_choice *c, flexel_radau *o, double h
         if (failed)
             return failed;
         memcpy(o->V + k * s->nf, s->v, s->nf * sizeof(double));
+        flexel_account_stage(o->account, s, c, k);
     }
     return FLEXEL_DONE;
 }
@@ -207,10 +236,24 @@ static double iterate(flexel_radau *o, double h)
 
 /* Change, relative to what is allowed, at which an iteration may end by rounding errors: it changes no digit that counts. */
 static const double NOISE = 0.03;
+/* Rounding error of a position, in natural scales; and the most that it may be, as a change relative to what is allowed. */
+static const double ROUNDING = 2e-15, MOST = 0.3;
+
+/* Rounding errors of positions and the change of rates by them, divided by the step, relative to what is allowed. */
+static double noise(const flexel_radau *o, double h)
+{
+    const size_t first = o->nd + o->nk;
+    double sum = 0;
+    for (size_t i = 0; i < first + o->nd; i++) {
+        const double part = ROUNDING * o->natural[i] / ((i < first ? 1 : h) * o->scale[i]);
+        sum += part * part;
+    }
+    return fmin(MOST, sqrt(sum / (double)o->ny));
+}
 
 /* Whether the iteration goes on after a change of some size, relative to what is allowed; `before` is that of the last one.
  * It converges after two iterations at the earliest: with a rate that an earlier step has shown, one is too uncertain. */
-static int goes_on(flexel_radau *o, double size, double before)
+static int goes_on(flexel_radau *o, double h, double size, double before)
 {
     if (!isfinite(size))
         return 0;
@@ -222,7 +265,7 @@ static int goes_on(flexel_radau *o, double size, double before)
         return 1;
     o->rate = size / before;
     const double rest = size / (1 - o->rate), more = (double)(FLEXEL_RADAU_ITERATIONS - o->iterations);
-    o->converged = o->rate * rest < o->tolerance;
+    o->converged = o->rate * rest < o->tolerance || size < noise(o, h);
     return !o->converged && pow(o->rate, more) * rest <= o->tolerance;
 }
 
@@ -237,9 +280,11 @@ int flexel_radau_stages(flexel_work *s, flexel_choice *c, flexel_radau *o, doubl
         const int failed = all_rates(s, c, o, h);
         if (failed)
             return failed;
+        if (o->iterations == 0)
+            flexel_radau_allow(s, c, o, o->Z + 2 * o->ny);
         before = size;
         size = iterate(o, h);
         o->iterations++;
-    } while (goes_on(o, size, before) && o->iterations < FLEXEL_RADAU_ITERATIONS);
+    } while (goes_on(o, h, size, before) && o->iterations < FLEXEL_RADAU_ITERATIONS);
     return FLEXEL_DONE;
 }

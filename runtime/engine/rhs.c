@@ -35,6 +35,7 @@ static void predict(flexel_work *s, flexel_choice *c, const double *q)
 {
     const size_t held = c->nr + c->np;
     memcpy(s->x, c->x_last, s->n * sizeof(double));
+    c->reusable = 0;
     if (!c->predict)
         return;
     for (size_t i = 0; i < s->nf; i++) {
@@ -47,7 +48,8 @@ static void predict(flexel_work *s, flexel_choice *c, const double *q)
         const double z = fabs(c->step[i]) * c->step_weight[i]; /* fmax would be a call */
         largest = z > largest ? z : largest;
     }
-    if (largest < LONGEST_PREDICTION)
+    c->reusable = largest < LONGEST_PREDICTION;
+    if (c->reusable)
         for (size_t i = 0; i < s->nf; i++)
             s->x[i] += c->step[i];
 }
@@ -55,10 +57,13 @@ static void predict(flexel_work *s, flexel_choice *c, const double *q)
 int flexel_rhs(flexel_work *s, flexel_choice *c, double t, const double *y, double *dy)
 {
     predict(s, c, y);
+    for (size_t i = 0; i < c->nknown; i++)
+        s->x[c->known[i]] = c->known_x[i];
     for (size_t i = 0; i < s->m; i++)
-        s->near[i] = c->e_last[i] + (t - c->t_last) * c->ed_last[i];
+        s->unwrap_from[i] = c->e_last[i] + (t - c->t_last) * c->ed_last[i];
     c->predict = 0;
     const int failed = flexel_evaluate(s, c, t, y, dy);
+    c->reusable = 0;
     if (failed)
         return failed;
     c->predict = 1;

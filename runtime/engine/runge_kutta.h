@@ -1,12 +1,15 @@
 /* One step of the Runge-Kutta method of Dormand and Prince of order 8 (DOP853) in minimal coordinates.
  *
- * The coordinates x, and deformations with a period, are integrated along as a shadow, x' = v: they are where the position
- * of each stage is sought. The shadow's own error, and how far the solved coordinates are from it, tell whether the step
+ * The coordinates x, and deformations with a period, are predicted by integration, x' = v: they are where the position
+ * of each stage is sought. The error of the prediction, and how far the solved coordinates are from it, tell whether the step
  * can be trusted to stay on its branch. Source: Hairer, Norsett and Wanner (1993); coefficients are those of SciPy. */
 #ifndef FLEXEL_RUNGE_KUTTA_H
 #define FLEXEL_RUNGE_KUTTA_H
 
+#include "account.h"
+#include "covered.h"
 #include "explicit.h"
+#include "rotations.h"
 
 /* cdef: begin */
 enum { FLEXEL_STAGES = 12 };
@@ -16,7 +19,10 @@ typedef struct {
     const double *A, *B, *C, *E3, *E5; /* A (12, 12), B (12), C (12), E3 and E5 (13) */
     double rtol;
     const double *atol;   /* (ny) */
+    flexel_covered *covered; /* what the tolerances are relative to */
+    double *scale;        /* allowed errors (ny) */
     const double *weight; /* one over natural scales of the free coordinates (nf) */
+    const double *apart;  /* the same, but zero for the Euler parameters of frames that turn freely (nf) */
     size_t ngiven;
     const double *given;  /* prescribed motions and loads at the stages and the end (13, ngiven) */
     /* at the start and the end of the step: y, coordinates, periodic deformations */
@@ -24,14 +30,17 @@ typedef struct {
     /* rates at the stages: of y (13, ny), of x (13, nf) and x'' (13, nf), of periodic deformations (13, nperiodic); the first
      * rows belong to the start */
     double *K, *V, *W, *turning;
-    double *space; /* max(ny, nf) */
+    double *space; /* max(2 ny, nf) */
+    flexel_rotations rotations;
     int sign;      /* of the determinant of the position matrix at the start */
     double *determinant; /* logarithms of its size at the stages and the end (13), or NULL if they are not asked for */
-    /* found: errors of y (SciPy's norm), of x and v (natural scales), of turns (periods); largest distance of the solved
-     * coordinates and rates from their shadows, and which coordinate; largest rate; the stages with the other
+    /* found: errors of y (SciPy's norm), of x and v (natural scales), of turns (periods), the largest of a coordinate over what
+     * its own range allows; largest distance of the solved coordinates and rates from the predicted ones, and which coordinate; largest rate; the stages with the other
      * sign, as bits; the stage that failed */
-    double error, error_x, error_v, error_turns, defect, defect_v, fastest;
+    double error, error_x, error_v, error_turns, error_own, defect, defect_v, fastest;
     size_t farthest, changed, stage, evaluations;
+    flexel_account *account; /* the energy balance, or NULL */
+    double h;                /* of the last step */
 } flexel_dop853;
 
 /* A step of length h from time t; FLEXEL_DONE, or the code of a stage that failed. */
@@ -41,7 +50,9 @@ void flexel_dop853_accept(flexel_work *s, flexel_dop853 *o);
 /* Rates at the start, with the position sought from x and e; the first rows of K, V, W and turning. */
 int flexel_dop853_begin(flexel_work *s, flexel_choice *c, flexel_dop853 *o, double t);
 /* How much coordinates change per unit of the degrees of freedom, in natural scales; after velocities. */
-double flexel_reach(const flexel_work *s, flexel_choice *c);
+double flexel_amplification(const flexel_work *s, flexel_choice *c);
+/* The same for what is held: how much coordinates change per unit of rigid and prescribed quantities; an estimate. */
+double flexel_sensitivity(const flexel_work *s, flexel_choice *c);
 /* cdef: end */
 
 #endif

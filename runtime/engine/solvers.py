@@ -28,7 +28,7 @@ _issparse: Any = issparse
 
 
 def solved(A: Array, b: Array) -> Array:
-    """Solution of A x = b for a small matrix (n, n) and columns (n, r).
+    """Solve A x = b for a small matrix (n, n) and columns (n, r).
 
     Raises
     ------
@@ -49,7 +49,7 @@ def definite(A: Array) -> bool:
 
 
 def eigenvalues(A: Array) -> ComplexArray:
-    """Eigenvalues (n,) of a matrix (n, n).
+    """Compute the eigenvalues (n,) of a matrix (n, n).
 
     Raises
     ------
@@ -67,7 +67,7 @@ def eigenvalues(A: Array) -> ComplexArray:
 
 
 def least(A: Array, b: Array, rcond: float) -> Array:
-    """The smallest x that makes the squares of A x - b least, for a small matrix (r, n) and a vector (r,).
+    """Find the smallest x that minimizes |A x - b|, for a small matrix (r, n) and a vector (r,).
 
     Columns that depend on others up to `rcond` of the largest count as dependent.
     """
@@ -131,7 +131,7 @@ ROUNDING = 1e-9  # image of a null vector of unit size, and its entries that cou
 
 
 def null_vector(matrix: Any) -> Array | None:
-    """A vector (n,) of unit size that a sparse matrix (n, n) maps to zero; None if it is regular.
+    """Find a unit vector (n,) that a sparse matrix (n, n) maps to zero; return None if the matrix is regular.
 
     By inverse iteration with a small shift of the diagonal.
     """
@@ -157,9 +157,9 @@ class Solvable(Protocol):
         """False if a pivot is exactly zero."""
 
     def solve(self, b: Array, transposed: bool = False) -> Array:
-        """Solution of A x = b, or of A' x = b, for one or several columns."""
+        """Solve A x = b, or A' x = b, for one or several columns."""
 
 
 def factorize(matrix: Any) -> Solvable:
-    """LU factors of a dense or sparse square matrix."""
+    """Factorize a dense or sparse square matrix."""
     return SparseFactors(csc_array(matrix)) if _issparse(matrix) else Factorization(matrix)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from flexel.base.arrays import Array, Index
-from flexel.engine.kernels import Batch
+from flexel.engine.batches import Batch
 from flexel.engine.lanes import LANES, lanes
 
 
@@ -25,14 +25,14 @@ class Sums:
     weight: Array | None = None
 
     def filled(self, zero: int) -> Index:
-        """Entries with at least one source other than the zero."""
+        """Return the entries with at least one source other than the zero."""
         count = np.ones(self.size, dtype=np.intp) if self.start is None else np.diff(self.start)
         own = np.repeat(np.arange(self.size), count)
         return np.unique(own[self.source != zero])
 
 
 def sums(targets: Index, sources: Index, size: int, zero: int, weights: Array | None = None) -> Sums:
-    """The sums of sources with equal targets; `zero` is the place of a zero in the buffer."""
+    """Combine sources with equal targets in sums; `zero` is the index of a zero in the buffer."""
     if weights is None and np.unique(targets).size == targets.size:
         source = np.full(size, zero)
         source[targets] = sources
@@ -85,26 +85,31 @@ class Stage:
         return self.width + 1
 
     def nonzeros(self, i: int, name: str) -> Index:
-        """Flat places of the stored entries in the local array; none if the batch does not have this kernel."""
+        """Return flat indices of the stored entries in the local array; none if the batch lacks this kernel."""
         stored = self._outputs[i][name].nonzeros if i in self._outputs else ()
         return np.array(stored, dtype=np.intp)
 
     def rows(self, i: int, name: str) -> int:
-        """Rows of the full local array of an output."""
+        """Return the number of rows of the full local array of an output."""
         return int(self._outputs[i][name].shape[0])
 
     def places(self, i: int, name: str) -> Index:
-        """Places (elements, stored entries) of an output of a batch in the buffer."""
+        """Return the indices (elements, stored entries) of an output of a batch in the buffer."""
         if i not in self._outputs:
             return np.zeros((self.size[i], 0), dtype=np.intp)
         return lanes(self.size[i], len(self._outputs[i][name].nonzeros), self.starts[i][name])
 
     def summed(self, parts: Sequence[tuple[Index, Index]], size: int) -> Sums:
-        """The sums of outputs, given as pairs of targets and places of the same shape."""
-        return sums(flat(z for z, _ in parts), flat(z for _, z in parts), size, self.zero)
+        """Combine outputs in sums, given as pairs of targets and buffer indices of the same shape."""
+        return sums(
+            flat(targets for targets, _ in parts),
+            flat(places for _, places in parts),
+            size,
+            self.zero,
+        )
 
 
 def flat(parts: Iterable[Index]) -> Index:
-    """All entries, one array after another."""
-    found = [np.ravel(z) for z in parts]
+    """Join all entries, one array after another."""
+    found = [np.ravel(part) for part in parts]
     return np.concatenate(found).astype(np.intp) if found else np.zeros(0, dtype=np.intp)

@@ -72,7 +72,7 @@ size_t flexel_complete_states(flexel_work *s, flexel_choice *c, size_t count, do
         flexel_reset(s, c);
         s->t = states[0];
         flexel_take_numbers(s->v, flexel_take_numbers(s->x, states + 1, n), n);
-        flexel_take_numbers(s->near, flexel_take_numbers(s->z, a + n, s->nz), s->m);
+        flexel_take_numbers(s->unwrap_from, flexel_take_numbers(s->z, a + n, s->nz), s->m);
         *code = flexel_complete(s, c, 0);
         if (*code)
             return i;

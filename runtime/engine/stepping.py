@@ -8,10 +8,11 @@ import numpy as np
 
 from flexel.base.arrays import Array, Index
 from flexel.engine.balancing import Balancing
+from flexel.engine.covered import number_of, state_groups
 from flexel.engine.elimination import Eliminated, Elimination, LargeFactors
 from flexel.engine.structs import Struct
 from flexel.generated._kernels import ffi, lib
-from flexel.structure.structure import Structure
+from flexel.model.structure import Structure
 
 
 class Stepping(Struct):
@@ -51,17 +52,15 @@ class Stepping(Struct):
         self._ranges(s)
 
     def _ranges(self, structure: Structure) -> None:
-        """Ranges of coordinates and internal states, which are empty; states of the same law share a group."""
-        kinds = [(law.spec.name, i) for law in structure.laws for i in range(len(law.states))]
-        numbers = {kind: i for i, kind in enumerate(dict.fromkeys(kinds))}
+        """Set the ranges of coordinates and internal states, which are empty."""
+        group = state_groups(structure)
         found, nf, nz = self.struct.ranges, structure.nf, structure.nz
-        found.group = self.integers(np.array([numbers[kind] for kind in kinds], dtype=np.int32))
-        found.groups = len(numbers)
+        found.group, found.groups = self.integers(group), number_of(group)
         self._wide = {"x_low": np.full(nf, np.inf), "z_low": np.full(nz, np.inf)}
         self._wide |= {"x_high": np.full(nf, -np.inf), "z_high": np.full(nz, -np.inf)}
         for name, array in self._wide.items():
             setattr(found, name, self.pointer(array))
-        found.group_range, found.zd_before = self.pointer(np.zeros(len(numbers))), self.pointer(np.zeros(nz))
+        found.group_range, found.zd_before = self.pointer(np.zeros(found.groups)), self.pointer(np.zeros(nz))
 
     def begin(self) -> None:
         """Take the point `old` into the ranges of the motion; there is no step before it."""
@@ -80,7 +79,7 @@ class Stepping(Struct):
         self.struct.lu, self.struct.matrix_step = ffi.NULL, 0.0
 
     def run(self, h: float) -> bool:
-        """Try a step of length h; whether it was found.
+        """Try a step of length h; return whether it was found.
 
         Raises
         ------
@@ -102,7 +101,7 @@ class Stepping(Struct):
         return bool(code == lib.FLEXEL_FOUND)
 
     def _factorize(self) -> None:
-        """Factors with an order of pivots for the present values, which later matrices use too; or by SuperLU."""
+        """Factorize with an order of pivots for the present values, which later matrices use too; or by SuperLU."""
         self._factors = factors = self._elimination.factorized(self._values[self._places])
         if isinstance(factors, Eliminated) and factors.order is not None:
             self.struct.lu = factors.order.lu

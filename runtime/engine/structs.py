@@ -22,17 +22,17 @@ class Struct:
         self._keep: list[Any] = []
 
     def pointer(self, array: Array, first: int = 0) -> Any:
-        """Pointer to the numbers of an array, which is kept alive."""
+        """Return a pointer to the numbers of an array, which is kept alive."""
         self._keep.append(array)
         return ffi.from_buffer("double[]", array) + first
 
     def integers(self, array: NDArray[np.int32]) -> Any:
-        """Pointer to integers of 32 bits, which are kept alive."""
+        """Return a pointer to integers of 32 bits, which are kept alive."""
         self._keep.append(array)
         return ffi.from_buffer("int[]", array) + 0
 
     def new(self, name: str, size: int) -> Array:
-        """A new array of zeros (size,) for a field, aligned to a cache line."""
+        """Allocate an array of zeros (size,) for a field, aligned to a cache line."""
         array = aligned(max(size, 1))[:size]
         setattr(self.struct, name, self.pointer(array))
         return array

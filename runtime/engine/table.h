@@ -92,8 +92,8 @@ typedef struct {
     size_t n, nf, m, k, nz, nlaws, nS, nt, n8; /* nt: numbers in law_t, n8: in x8 */
     /* where it is evaluated: time, coordinates, rates, accelerations, internal states; deformations near the true ones */
     double t;
-    double *x, *v, *a, *z, *near;
-    /* deformations, with turns counted from `near`; rates of deformations, and slips (m + k); convective parts (m + k) */
+    double *x, *v, *a, *z, *unwrap_from;
+    /* deformations, with turns counted from `unwrap_from`; rates of deformations, and slips (m + k); convective parts (m + k) */
     double *e, *w, *g;
     /* deformations and slips whose rows of J and rates are left as they are (m + k), or NULL */
     const unsigned char *left_out;

@@ -12,13 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexel.base.arrays import Array, Index
-from flexel.engine.kernels import element_batches, law_batches
+from flexel.engine.batches import element_batches, law_batches
 from flexel.engine.lanes import LANES, blocks, lanes
 from flexel.engine.lawtables import LawTables
 from flexel.engine.patterns import JacobianPattern, MassPattern, relation_terms
 from flexel.engine.stages import Stage, flat, sums
 from flexel.engine.tangents import TangentTables
-from flexel.structure.structure import Structure
+from flexel.model.structure import Structure
 
 
 @dataclass(frozen=True)
@@ -44,15 +44,20 @@ class Gather:
 
     @classmethod
     def of(cls, rows: list[Index]) -> Gather:
-        """The list for the rows of each batch."""
-        sizes = [-(-z.shape[0] // LANES) * z.shape[1] * LANES for z in rows]
+        """Build the list for the rows of each batch."""
+        sizes = [-(-indices.shape[0] // LANES) * indices.shape[1] * LANES for indices in rows]
         starts = np.cumsum([0, *sizes]).tolist()
-        places = [lanes(z.shape[0], z.shape[1], first) for z, first in zip(rows, starts, strict=False)]
+        places = [
+            lanes(indices.shape[0], indices.shape[1], first)
+            for indices, first in zip(rows, starts, strict=False)
+        ]
         return cls(rows, flat(rows), flat(places), starts, starts[-1])
 
     def filled(self, vector: Array) -> Array:
-        """All lanes, those without an element with the values of the last one."""
-        return np.concatenate([np.zeros(0), *(blocks(vector[z]).ravel() for z in self.rows if z.size)])
+        """Fill all lanes; those without an element repeat the values of the last one."""
+        return np.concatenate(
+            [np.zeros(0), *(blocks(vector[indices]).ravel() for indices in self.rows if indices.size)]
+        )
 
 
 EVERY = ("position", "acceleration", "rates", "kinematics", "stiffness")
@@ -85,10 +90,10 @@ class Tables:
         self.structure = structure
         self.elements = element_batches(structure)
         self.laws = law_batches(structure)
-        heavy = [b.heavy for b in self.elements]
+        n_with_inertia = [b.n_with_inertia for b in self.elements]
         self.stages = {kind: Stage(kind, self.elements) for kind in EVERY}
-        self.stages["inertia"] = Stage("inertia", self.elements, heavy)
-        varying = [b.heavy if b.heavy and b.varies else 0 for b in self.elements]
+        self.stages["inertia"] = Stage("inertia", self.elements, n_with_inertia)
+        varying = [b.n_with_inertia if b.n_with_inertia and b.varies else 0 for b in self.elements]
         self.stages["tangent"] = Stage("tangent", self.elements, varying)
         self.varying = [i for i, count in enumerate(varying) if count]
         self.J = JacobianPattern(structure, self.elements, self.stages["position"])
@@ -110,9 +115,9 @@ class Tables:
         self.samples: Array | None = None
 
     def variant(self) -> Tables:
-        """The same tables with parameters of their own, see `flexel.engine.variants`."""
+        """Copy the tables with separate parameters, see `flexel.engine.variants`."""
         found = copy(self)
-        found.parameters = tuple([z.copy() for z in part] for part in self.parameters)
+        found.parameters = tuple([values.copy() for values in part] for part in self.parameters)
         return found
 
     parameters: tuple[list[Array], ...]
@@ -124,7 +129,7 @@ class Tables:
             "sigma": [b.places["sigma"] for b in self.elements],
             "tau": [b.places["tau"] + m for b in self.elements],
         }
-        found |= {f"law_{z}": [b.places[z] for b in self.laws] for z in ("e", "s", "z")}
+        found |= {f"law_{name}": [b.places[name] for b in self.laws] for name in ("e", "s", "z")}
         return {name: Gather.of(rows) for name, rows in found.items()}
 
     def _sources(self) -> None:
@@ -135,12 +140,12 @@ class Tables:
             sigma = self.elements[i].places["sigma"]
             self.e_source[sigma[:, position.nonzeros(i, "e")]] = position.places(i, "e")
         for i in acceleration.numbers:
-            sigma, tau = (self.elements[i].places[z] for z in ("sigma", "tau"))
+            sigma, tau = (self.elements[i].places[name] for name in ("sigma", "tau"))
             self.g_source[sigma[:, acceleration.nonzeros(i, "g")]] = acceleration.places(i, "g")
             self.g_source[m + tau[:, acceleration.nonzeros(i, "gs")]] = acceleration.places(i, "gs")
 
     def _sums(self) -> None:
-        """Forces f - h of all elements; potential and body forces of those with varying and constant inertia."""
+        """Sum the forces f - h of all elements, and potential and body forces for varying and constant inertia."""
         n, inertia = self.structure.n, self.stages["inertia"]
         targets, sources, weights = [], [], []
         energy: list[tuple[Index, Index]] = []
@@ -153,24 +158,24 @@ class Tables:
             if i in self.varying:
                 places = inertia.places(i, "U")
                 energy.append((np.zeros_like(places), places))
-        weight = np.concatenate([np.zeros(0), *(np.ravel(z) for z in weights)])
+        weight = np.concatenate([np.zeros(0), *(np.ravel(values) for values in weights)])
         self.F = sums(flat(targets), flat(sources), n, inertia.zero, weight)
         self.U = inertia.summed(energy, 1)
 
     def lane_shares(self) -> Array:
-        """Mass-proportional damping of the lanes of coordinates; zero for elements without mass."""
+        """Return mass-proportional damping of the lanes of coordinates; zero for elements without mass."""
         parts = [np.zeros(0)]
         for b in self.elements:
-            share = np.where(np.arange(b.size) < b.heavy, b.weight, 0.0)
+            share = np.where(np.arange(b.size) < b.n_with_inertia, b.weight, 0.0)
             parts.append(blocks(np.repeat(share[:, None], b.places["x"].shape[1], axis=1)).ravel())
         return np.concatenate(parts)
 
     def steady_potential(self, out: Array, steady: list[int]) -> float:
-        """Potential of the body forces of some batches, from the outputs of their inertia."""
+        """Return the potential of the body forces of some batches, from the outputs of their inertia."""
         return float(sum(out[self.stages["inertia"].places(i, "U")].sum() for i in steady))
 
     def ints(self, array: Index) -> NDArray[np.int32]:
-        """The same numbers as 32-bit integers, converted once and shared by all workspaces."""
+        """Convert numbers to 32-bit integers, once, for all workspaces."""
         found = self._shared.get(id(array))
         if found is None:  # another thread may be first: all must point to the same numbers
             made = array, np.ascontiguousarray(array, dtype=np.int32)

@@ -10,12 +10,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from flexel.base.arrays import Array, Index
-from flexel.engine.kernels import Batch
+from flexel.engine.batches import Batch
 from flexel.engine.lanes import LANES, blocks, filled
 from flexel.engine.lawtables import LawTables
 from flexel.engine.patterns import JacobianPattern, Pattern
 from flexel.engine.stages import Stage, flat
-from flexel.structure.structure import Structure
+from flexel.model.structure import Structure
 
 KINDS = {"De": "position", "V": "position", "Phi": "rates", "K": "stiffness"}
 KINDS |= {"R_x": "tangent", "R_v": "tangent", "M": "inertia"}
@@ -74,8 +74,8 @@ class TangentTables:
     ) -> None:
         nf = structure.nf
         found = [_local(b, i, stages) for i, b in enumerate(batches)]
-        pairs = [laws.own(z) if z.shape[1] else None for z in J.lines]
-        used = [_used(b, z, p is not None) for b, z, p in zip(batches, found, pairs, strict=True)]
+        pairs = [laws.own(lines) if lines.shape[1] else None for lines in J.lines]
+        used = [_used(b, local, p is not None) for b, local, p in zip(batches, found, pairs, strict=True)]
         self.pair, self.left, self.right = laws.foreign(J)
         columns = J.column[self.left], J.column[self.right]
         rows_of, columns_of = [columns[0]], [columns[1]]
@@ -88,7 +88,7 @@ class TangentTables:
         self.whole = Pattern(row[inside], column[inside], (structure.n, nf))
         self.pattern = Pattern(row[free], column[free], (nf, nf))
         slots = np.where(inside, self.whole.find(row, column), self.whole.size)
-        ends = np.cumsum([z.size for z in rows_of])[:-1]
+        ends = np.cumsum([rows.size for rows in rows_of])[:-1]
         self.slot, *own = np.split(slots, ends)
         self.batches = [
             self._batch(i, b, local, pair, at, slot.reshape(b.size, at.size))
@@ -106,9 +106,11 @@ class TangentTables:
         slot: Index,
     ) -> TangentBatch:
         share = (
-            blocks(np.where(np.arange(b.size) < b.heavy, b.weight, 0.0)[:, None]) if b.weight.any() else None
+            blocks(np.where(np.arange(b.size) < b.n_with_inertia, b.weight, 0.0)[:, None])
+            if b.weight.any()
+            else None
         )
-        m, k, n = (b.places[z].shape[1] for z in ("sigma", "tau", "x"))
+        m, k, n = (b.places[name].shape[1] for name in ("sigma", "tau", "x"))
         lanes = filled(slot, self.whole.size)
         own, diagonal = (None, False) if pair is None else pair
         return TangentBatch(i, b.size, b.nblocks, m, m + k, n, local, own, diagonal, used, lanes, share)
@@ -116,11 +118,13 @@ class TangentTables:
     @property
     def space(self) -> int:
         """Numbers needed for the local matrices of one block."""
-        return max((z.columns * (z.columns + 3 * z.rows) * LANES for z in self.batches), default=1)
+        return max(
+            (batch.columns * (batch.columns + 3 * batch.rows) * LANES for batch in self.batches), default=1
+        )
 
 
 def _local(b: Batch, i: int, stages: Mapping[str, Stage]) -> dict[str, Local]:
-    """The stored entries of all local matrices of a batch; V lies in the rows below De."""
+    """Return the stored entries of all local matrices of a batch; V lies in the rows below De."""
     found = {}
     below = b.places["sigma"].shape[1] * b.places["x"].shape[1]
     for name, kind in KINDS.items():
@@ -132,10 +136,10 @@ def _local(b: Batch, i: int, stages: Mapping[str, Stage]) -> dict[str, Local]:
 
 
 def _used(b: Batch, local: Mapping[str, Local], laws: bool) -> Index:
-    """Flat places of the local matrix that can differ from zero."""
+    """Return the flat indices of the local matrix that can differ from zero."""
     n = b.places["x"].shape[1]
-    used = np.unique(flat(local[z].at for z in ("K", "R_x", "R_v", "M")))
+    used = np.unique(flat(local[name].at for name in ("K", "R_x", "R_v", "M")))
     if not laws:
         return used
-    columns = np.unique(flat(local[z].at % n for z in ("De", "V", "Phi")))
+    columns = np.unique(flat(local[name].at % n for name in ("De", "V", "Phi")))
     return np.union1d(used, (columns[:, None] * n + columns).ravel())

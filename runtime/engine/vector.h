@@ -20,8 +20,9 @@ typedef long long flexel_mask __attribute__((vector_size(FLEXEL_BLOCK * sizeof(l
 #define flexel_negative(a) ((flexel_mask)(a) >> 63)
 /* a where the mask is set, otherwise b */
 #define flexel_either(where, a, b) ((flexel_vector)(((where) & (flexel_mask)(a)) | (~(where) & (flexel_mask)(b))))
-/* The larger of two numbers; anything if one of them is not a number. */
+/* The larger and the smaller of two numbers; anything if one of them is not a number. */
 #define flexel_most(a, b) flexel_either(flexel_negative((a) - (b)), b, a)
+#define flexel_least(a, b) flexel_either(flexel_negative((a) - (b)), a, b)
 
 FLEXEL_INLINE void flexel_root(flexel_vector *a)
 {

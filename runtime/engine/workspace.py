@@ -23,8 +23,8 @@ LAW_SUMS = {"law_U": "U", "law_P": "P", "S": "value", "S_rate": "rate"}
 class Workspace(Fields):
     """Arrays of one evaluation, by the names of table.h, and their `struct`.
 
-    The vectors x, v, a (n), z (nz), near, e (m), w, stress (m + k), F (n) and the values J, M, T are views of what C
-    reads and writes.
+    The vectors x, v, a (n), z (nz), unwrap_from, e (m), w, stress (m + k), F (n) and the values J, M, T are views
+    of what C reads and writes.
     """
 
     def __init__(self, tables: Tables) -> None:
@@ -64,43 +64,43 @@ class Workspace(Fields):
     # -- evaluation: see evaluate.h ----------------------------------------------------------------
 
     def position(self) -> None:
-        """Deformations e, and J, at x."""
+        """Compute deformations e, and J, at x."""
         lib.flexel_position(self.struct)
 
     def rates(self) -> None:
-        """Rates w of deformations and slips at v."""
+        """Compute the rates w of deformations and slips at v."""
         lib.flexel_rates(self.struct)
 
     def convective(self) -> None:
-        """Convective parts g of the accelerations of deformations and slips at v."""
+        """Compute the convective parts g of the accelerations of deformations and slips at v."""
         lib.flexel_convective(self.struct)
 
     def inertia(self) -> None:
-        """Mass matrix M, forces F = f - h, and the potential U."""
+        """Compute the mass matrix M, forces F = f - h, and the potential U."""
         lib.flexel_inertia(self.struct)
 
     def laws(self) -> None:
-        """Stresses, rates of internal states and energies of the laws."""
+        """Compute stresses, rates of internal states and energies of the laws."""
         lib.flexel_laws(self.struct)
 
     def tangent(self, by_x: float, by_v: float, by_a: float, phi: bool) -> None:
-        """T, the weighted sum of the derivatives of the balance of forces by x, v and a."""
+        """Compute T, the weighted sum of the derivatives of the balance of forces by x, v and a."""
         lib.flexel_tangent(self.struct, by_x, by_v, by_a, phi)
 
-    def push(self, rates: Array) -> Array:
-        """J times a vector (n,), for deformations and slips (m + k,)."""
+    def jvp(self, rates: Array) -> Array:
+        """Multiply J with a vector (n,), for deformations and slips (m + k,)."""
         out = np.zeros(self.w.size)
         lib.flexel_push(self.struct, self.pointer_of(rates), self.pointer_of(out))
         return out
 
-    def pull(self, stress: Array) -> Array:
-        """Nodal forces J' stress (n,) of stresses (m + k,)."""
+    def vjp(self, stress: Array) -> Array:
+        """Compute the nodal forces J' stress (n,) of stresses (m + k,)."""
         out = np.zeros(self.x.size)
         lib.flexel_pull(self.struct, self.pointer_of(stress), self.pointer_of(out))
         return out
 
     def momentum(self, rates: Array) -> Array:
-        """The mass matrix times a vector (n,)."""
+        """Multiply the mass matrix with a vector (n,)."""
         out = np.zeros(self.x.size)
         lib.flexel_momentum(self.struct, self.pointer_of(rates), self.pointer_of(out))
         return out
@@ -111,7 +111,7 @@ class Workspace(Fields):
         """
         out = np.empty(self._state[-1].stop + 4)
         lib.flexel_state(self.struct, self.pointer_of(out))
-        return [out[z] for z in self._state], out[-4:].tolist()
+        return [out[name] for name in self._state], out[-4:].tolist()
 
     # -- parts -----------------------------------------------------------------------------------
 
@@ -119,19 +119,19 @@ class Workspace(Fields):
         s, t, c = self.tables.structure, self.tables, self.struct
         c.n, c.nf, c.m, c.k, c.nz = s.n, s.nf, s.m, s.k, s.nz
         c.nlaws, c.nS = t.law.count, t.law.codes.size
-        self.x, self.v, self.a = (self.new(z, s.n) for z in ("x", "v", "a"))
-        self.z, self.zd = (self.new(z, s.nz) for z in ("z", "zd"))
-        self.near, self.e = (self.new(z, s.m) for z in ("near", "e"))
+        self.x, self.v, self.a = (self.new(name, s.n) for name in ("x", "v", "a"))
+        self.z, self.zd = (self.new(name, s.nz) for name in ("z", "zd"))
+        self.unwrap_from, self.e = (self.new(name, s.m) for name in ("unwrap_from", "e"))
         names = ("w", "g", "law_stress", "stress", "element_stress")
-        self.w, self.g, self.law_stress, self.stress, _ = (self.new(z, s.m + s.k) for z in names)
-        self.F, self.damping = (self.new(z, s.n) for z in ("F", "damping"))
-        self.law_U, self.law_P = (self.new(z, t.law.count) for z in ("law_U", "law_P"))
+        self.w, self.g, self.law_stress, self.stress, _ = (self.new(name, s.m + s.k) for name in names)
+        self.F, self.damping = (self.new(name, s.n) for name in ("F", "damping"))
+        self.law_U, self.law_P = (self.new(name, t.law.count) for name in ("law_U", "law_P"))
         c.nperiodic, c.periodic = t.periodic.size, self.ints(t.periodic)
         c.period = self.pointer(s.period[t.periodic])
         c.e_source, c.g_source = self.ints(t.e_source), self.ints(t.g_source)
 
     def _matrices(self) -> None:
-        """J, M, T and H, in one array so that a factorization can take entries of all of them."""
+        """Allocate J, M, T and H in one array so that a factorization can take entries of all of them."""
         t, c = self.tables, self.struct
         slips = t.J.start[[t.structure.m, t.structure.m + t.structure.k]]
         sizes = {"M": t.M.size, "J": t.J.size, "T": t.T.whole.size + 1, "H": int(np.diff(slips)[0])}
@@ -145,7 +145,7 @@ class Workspace(Fields):
         self._pattern("J", t.J)
         self._pattern("M", t.M)
         c.M_free = self.ints(t.M.free)
-        self.Phi, self.Psi_x, self.Psi_v = (self.new(z, t.J.size) for z in ("Phi", "Psi_x", "Psi_v"))
+        self.Phi, self.Psi_x, self.Psi_v = (self.new(name, t.J.size) for name in ("Phi", "Psi_x", "Psi_v"))
         self.D = self.new("D", t.M.size)
         self._sums("J_sums", t.J.sums)
         for name, sums in t.derivatives.items():
@@ -167,13 +167,14 @@ class Workspace(Fields):
         law, c = self.tables.law, self.struct
         for name in ("stress", "zd", "law_U", "law_P", "S", "S_rate"):
             self._sums(f"{name}_sums", getattr(law, LAW_SUMS.get(name, name)))
-        self.S, self.S_rate = (self.new(z, law.codes.size + 1) for z in ("S", "S_rate"))
+        self.S, self.S_rate = (self.new(name, law.codes.size + 1) for name in ("S", "S_rate"))
         lags = ffi.new("flexel_lag[]", max(len(law.lags), 1))
         for field, lag in zip(lags, law.lags, strict=False):
             field.count, field.m, field.k, field.nz = lag.count, lag.m, lag.k, lag.z.shape[1]
             field.at, field.z = self.ints(lag.at), self.ints(lag.z)
             field.direct, field.matrix, field.sides = (
-                self.pointer(self.outputs["law_tangent_out"], z) for z in (lag.first, lag.matrix, lag.sides)
+                self.pointer(self.outputs["law_tangent_out"], offsets)
+                for offsets in (lag.first, lag.matrix, lag.sides)
             )
         self._keep.append(lags)
         c.nlags, c.lags = len(law.lags), lags
@@ -189,7 +190,7 @@ class Workspace(Fields):
         c.nbatches, c.batches = len(t.batches), batches
         c.nforeign = t.pair.size
         c.foreign_pair, c.foreign_left, c.foreign_right, c.foreign_slot = (
-            self.ints(z) for z in (t.pair, t.left, t.right, t.slot)
+            self.ints(indices) for indices in (t.pair, t.left, t.right, t.slot)
         )
         self.new("local", t.space)
 
@@ -211,7 +212,7 @@ class Workspace(Fields):
             setattr(field, name, self.pointer(lanes, starts[batch.number]))
 
     def _relations(self) -> None:
-        """Linear relations; their values as drawn are those at the drawn coordinates."""
+        """Set the linear relations; their values as drawn are those at the drawn coordinates."""
         t, c, s = self.tables, self.struct, self.tables.structure
         rows = s.relations.rows
         c.nrelations, c.relations = rows.size, self.ints(rows)
@@ -225,15 +226,15 @@ class Workspace(Fields):
             self.drawn[:] = self.e[rows]
 
     def _constant_inertia(self) -> None:
-        """Mass matrices and body forces that do not depend on the position, computed once."""
+        """Compute, once, the mass matrices and body forces that do not depend on the position."""
         t, c, s = self.tables, self.struct, self.tables.structure
         stage = t.stages["inertia"]
         self._varying = c.inertia.ncalls, c.inertia.calls
         self._steady = [i for i in stage.numbers if i not in t.varying]
         self._calls("inertia", stage, t.elements, self._steady, self.outputs["inertia_out"])
         self._constant = c.inertia.ncalls, c.inertia.calls
-        self._none, self._f0 = self.pointer(np.zeros(s.n)), np.zeros(s.n)
-        self._f0_pointer = self.pointer(self._f0)
+        self._none, self.steady_forces = self.pointer(np.zeros(s.n)), np.zeros(s.n)
+        self._steady_pointer = self.pointer(self.steady_forces)
         c.constant_inertia = not t.varying
         self.refresh()
 
@@ -242,10 +243,14 @@ class Workspace(Fields):
         t, c, x0 = self.tables, self.struct, self.tables.structure.x0
         c.inertia.ncalls, c.inertia.calls = self._constant
         c.f0, c.constant_inertia = self._none, 0
+        self.outputs["inertia_out"][:] = 0.0  # of elements whose inertia varies, from an earlier position
         self.x[:] = x0
+        lib.flexel_position(
+            self.struct
+        )  # the potential is that of the coordinates that the kernels were given
         lib.flexel_inertia(self.struct)
-        self._f0[:] = self.F + self.damping
+        self.steady_forces[:] = self.F + self.damping
         U0 = t.steady_potential(self.outputs["inertia_out"], self._steady)
-        c.f0, c.U0 = self._f0_pointer, U0 + float(self._f0 @ x0)
+        c.f0, c.U0 = self._steady_pointer, U0 + float(self.steady_forces @ x0)
         c.inertia.ncalls, c.inertia.calls = self._varying
         c.constant_inertia = not t.varying

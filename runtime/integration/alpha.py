@@ -14,23 +14,23 @@ from numpy.typing import NDArray
 
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
-from flexel.engine.near import ALARM, NearContacts
+from flexel.engine.contact_selection import ALARM, ContactSelection
 from flexel.engine.stepping import Stepping
 from flexel.engine.workspace import Workspace
+from flexel.integration.balance import TINY_FORCE, Balance, Saddle
 from flexel.integration.extent import extent
 from flexel.integration.scheme import Scheme
-from flexel.mechanics.balance import TINY_FORCE, Balance, Saddle
-from flexel.mechanics.core import Core
 from flexel.mechanics.free_motion import check_inertia
 from flexel.mechanics.saddle import SaddlePattern
-from flexel.structure.state import State
+from flexel.model.state import State
+from flexel.system import CoreSystem
 
 FORCES = 1e-2  # weight of the forces' relative residual against the violation of conditions
 ROUNDING = 1e-13  # local error, in natural scales, below which coordinates are noise
 LOOSE = 1e-4  # local error beyond which the forces are weighted less, down to a tenth: such steps are coarse anyway
 
 
-class Stepper(Saddle):
+class AlphaStepper(Saddle):
     """Single steps of the generalized-alpha method, in a workspace of their own that holds the last trial point.
 
     Attributes
@@ -42,7 +42,7 @@ class Stepper(Saddle):
     """
 
     def __init__(
-        self, system: Core, start: State, radius: float, newton: str, tolerance: float = 0.0
+        self, system: CoreSystem, start: State, radius: float, newton: str, tolerance: float = 0.0
     ) -> None:
         super().__init__(system, work=Workspace(system.evaluation.tables))
         if newton not in ("full", "modified"):
@@ -57,8 +57,8 @@ class Stepper(Saddle):
         c.full, c.length, c.tiny = newton == "full", self.length, TINY_FORCE
         coarse = 0 < tolerance < np.inf
         c.forces = FORCES * max(min(LOOSE / tolerance, 1.0), 0.1) if coarse else FORCES
-        self._near = NearContacts(self.work)
-        self._chosen = not self._near.worthwhile
+        self._selection = ContactSelection(self.work)
+        self._chosen = not self._selection.worthwhile
         self.begin(start)
 
     def expect(self, start: State, duration: float, tolerance: float, absolute: float) -> None:
@@ -84,15 +84,22 @@ class Stepper(Saddle):
         old["w"][:], old["zw"][:], old["mu"][:] = start.a, start.zd, self.multipliers(start)
         self.stepping.begin()
 
+    def follow(self, other: AlphaStepper) -> None:
+        """Continue from the current point of another stepper."""
+        self.t = other.t
+        for name, values in other.stepping.old.items():
+            self.stepping.old[name][:] = values
+        self.stepping.begin()
+
     def step(self, h: float) -> bool:
-        """Try a step by Newton's method; whether it was found."""
+        """Try a step by Newton's method; return whether it was found."""
         if not self._chosen:
             self._choose(self.stepping.old["x"])
             self._chosen = True
         found = self._run(h)
-        if not (found and self._near.worthwhile):
+        if not (found and self._selection.worthwhile):
             return found
-        gap = self._near.smallest()
+        gap = self._selection.smallest()
         if gap <= ALARM:
             self._choose(self.stepping.now["x"])
         return gap > 0 or self._run(h)  # again if an omitted contact has closed within the step
@@ -112,8 +119,8 @@ class Stepper(Saddle):
 
     def _choose(self, x: Array) -> None:
         """Omit the contacts that are far apart at coordinates x, in the matrix too."""
-        self._near.choose(x)
-        self._matrix = pattern = self._pattern(self._near.used)
+        self._selection.choose(x)
+        self._matrix = pattern = self._pattern(self._selection.used)
         self.stepping.use(pattern.elimination, pattern.source)
 
     def _run(self, h: float) -> bool:
@@ -131,7 +138,7 @@ class Stepper(Saddle):
         self.t = t
 
     def current(self) -> Balance:
-        """The balance at the current time."""
+        """Return the balance at the current time."""
         p = self.stepping.old
         self.z, self.balancing.struct.implicit = p["z"], 0
         return self.balance(self.t, p["x"], p["v"], p["a"], p["mu"], p["e"])

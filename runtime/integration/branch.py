@@ -1,8 +1,8 @@
-"""Choice of the degrees of freedom during a motion: their reach, and when others are chosen.
+"""Choice of the degrees of freedom during a motion: their amplification, and when others are chosen.
 
-The reach A of a choice is how much the coordinates change per unit of the degrees of freedom, in natural scales.
-Where a degree of freedom passes its extreme it grows without bound, while other choices remain good.  So a choice is
-compared with the best one at the same position, whose reach is A*.
+The amplification A of a choice is how much the coordinates change per unit of the degrees of freedom, in natural
+scales.  Where a degree of freedom passes its extreme it grows without bound, while other choices remain good.  So a
+choice is compared with the best one at the same position, whose amplification is A*.
 """
 
 from __future__ import annotations
@@ -13,13 +13,13 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import ConstraintError
-from flexel.mechanics.core import Core
+from flexel.mechanics.amplification import amplification
 from flexel.mechanics.diagnose import choose_dofs
 from flexel.mechanics.kinematics import Kinematics
-from flexel.mechanics.reach import reach
-from flexel.structure.moment import Moment
+from flexel.model.snapshot import Snapshot
+from flexel.system import CoreSystem
 
-WORSE = 4.0  # reach of a choice, relative to that of the best one, beyond which the best one is taken; with 2 some
+WORSE = 4.0  # amplification of a choice, relative to the best one's, beyond which the best one is taken; with 2 some
 # random chains at rtol 1e-3 gain digits, and a parallelogram loses its branch
 REFUSED = 2.0  # the same where a step was refused
 HARMLESS = (
@@ -40,14 +40,14 @@ class Choices:
     free : bool
         Whether they may change.
     best : float
-        Reach A* of the best choice, when last determined; zero before, infinite at a singular position.
+        Amplification A* of the best choice, when last determined; zero before, infinite at a singular position.
     share : float
         Of the factors, from which a change is considered.
     changes : list of (float, tuple of str, tuple of str)
         Times [s], old and new names.
     """
 
-    system: Core
+    system: CoreSystem
     kinematics: Kinematics
     free: bool
     own: Kinematics = field(init=False)
@@ -77,33 +77,33 @@ class Choices:
         names = self.kinematics.structure.names
         return tuple(names[i] for i in self.kinematics.roles.dofs)
 
-    def reach(self, near: Moment) -> float:
-        """Reach of the present choice at a position."""
-        return reach(self.kinematics, near)
+    def amplification(self, at: Snapshot) -> float:
+        """Return the amplification of the present choice at a position."""
+        return amplification(self.kinematics, at)
 
-    def worse(self, near: Moment, present: float, factor: float) -> Kinematics | None:
-        """The best choice at a position, if the reach of the present one exceeds its by a factor; else None."""
-        other = self._best(near)
+    def worse(self, at: Snapshot, present: float, factor: float) -> Kinematics | None:
+        """Return the best choice at a position if the present one amplifies more by a factor; else None."""
+        other = self._best(at)
         if other is None:
             return None
         share = self.share if self._harmless(other) else 1.0
         return other if present > factor * share * self.best else None
 
-    def poor(self, near: Moment, present: float) -> bool:
+    def poor(self, at: Snapshot, present: float) -> bool:
         """Whether the best choice at a position is better than the present one by the usual factor."""
-        return present > WORSE and self.worse(near, present, WORSE) is not None
+        return present > WORSE and self.worse(at, present, WORSE) is not None
 
-    def _best(self, near: Moment) -> Kinematics | None:
-        """The best choice at a position, and its reach; None where there is none: the position is singular."""
+    def _best(self, at: Snapshot) -> Kinematics | None:
+        """Find the best choice at a position, and its amplification; return None where the position is singular."""
         evaluation = self.kinematics.evaluation
-        J = evaluation.position(near.x)[1]
+        J = evaluation.position(at.x)[1]
         try:
             roles = choose_dofs(self.kinematics, J, None, None)
         except ConstraintError:
             self.best = np.inf
             return None
         found = self.system.kinematics_with(roles.dynamic, roles.kinematic)
-        self.best = reach(found, near)
+        self.best = amplification(found, at)
         return found
 
     def change(self, other: Kinematics, t: float) -> None:
@@ -113,10 +113,10 @@ class Choices:
         self._look()
         self.changes.append((t, before, self.names))
 
-    def values(self, near: Moment, z: Array) -> Array:
-        """The variables y = (q, q_d', z) of the present choice at a position with rates."""
+    def values(self, at: Snapshot, z: Array) -> Array:
+        """Return the variables y = (q, q_d', z) of the present choice at a position with rates."""
         kinematics, roles = self.kinematics, self.kinematics.roles
-        q = kinematics.values(near.e, near.x)[roles.dofs]
-        work = kinematics.evaluation.at(near.t, near.x, near.v, near=near.e)
-        rates = np.concatenate([work.w, near.v])[roles.dynamic]
+        q = kinematics.values(at.e, at.x)[roles.dofs]
+        work = kinematics.evaluation.at(at.t, at.x, at.v, unwrap_from=at.e)
+        rates = np.concatenate([work.w, at.v])[roles.dynamic]
         return np.concatenate([q, rates, z])

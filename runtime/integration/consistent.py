@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.base.time_functions import Foreign, TimeFunction, Triple
-from flexel.mechanics.core import Core
+from flexel.system import CoreSystem
 
 # Parts of a motion, evenly spread, on no round number.
 PLACES: Array = np.asarray((np.arange(7) + 0.5) * 0.6180339887498949 % 1)
@@ -15,10 +17,17 @@ STEP = 1e-5  # of the differences, relative to the duration
 ERROR = 0.1  # of a rate, relative to the largest, that is accepted: values may be interpolated in a table
 ROUNDING = 1e-14
 FEWEST = 2  # times at which a rate is wrong: it may jump near one
+PANELS = 8  # in which rates are integrated over a motion; and over half as many, for the error
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(4)
+MISFIT = (
+    1e-3  # of the change of a value from the integral of its rate, relative to all changes, that is accepted
+)
+DOUBT = 10.0  # of that, in errors of the integral
 RATES = ("rate u'", "second rate u''")
+VALUES = ("value u", "rate u'")
 
 
-def check_rates(system: Core, begin: float, end: float) -> None:
+def check_rates(system: CoreSystem, begin: float, end: float) -> None:
     """Compare the rates of prescribed motions with differences of their values at some times of a motion [s].
 
     Raises
@@ -35,11 +44,15 @@ def check_rates(system: Core, begin: float, end: float) -> None:
 def _check(name: str, function: TimeFunction, begin: float, duration: float) -> None:
     """Check one function; differences that do not settle say nothing."""
     times, h = begin + duration * PLACES, STEP * duration
-    there, near, far = _values(function, times), _slopes(function, times, h / 2), _slopes(function, times, h)
+    there, fine, coarse = (
+        _values(function, times),
+        _slopes(function, times, h / 2),
+        _slopes(function, times, h),
+    )
     for i, rate in enumerate(RATES):
-        given, found = there[:, i + 1], near[:, i]
+        given, found = there[:, i + 1], fine[:, i]
         size = max(np.abs(given).max(), np.abs(found).max())
-        unsure = 10 * np.abs(found - far[:, i]) + ROUNDING * np.abs(there[:, i]).max() / h
+        unsure = 10 * np.abs(found - coarse[:, i]) + ROUNDING * np.abs(there[:, i]).max() / h
         off = np.abs(given - found) - unsure
         if np.count_nonzero(off > ERROR * size) >= FEWEST:
             k = int(np.argmax(off))
@@ -49,11 +62,59 @@ def _check(name: str, function: TimeFunction, begin: float, duration: float) -> 
             )
 
 
+def misfits(system: CoreSystem, begin: float, end: float) -> list[str]:
+    """Report prescribed motions whose values do not change by the integral of their rates.
+
+    It finds what `check_rates` does not: rates that are a little wrong everywhere, or jumps that they leave out.
+
+    Parameters
+    ----------
+    begin, end : float
+        Times of the motion [s].
+    """
+    roles, names = system.roles, system.structure.names
+    found = []
+    for place, function in zip(roles.prescribed, roles.motions, strict=True):
+        if isinstance(function, Triple | Foreign) and end > begin:
+            found += [f"'{names[place]}': {text}" for text in _misfits(function, begin, end)]
+    return found
+
+
+def _misfits(function: TimeFunction, begin: float, end: float) -> Iterator[str]:
+    """Report the same of one function, for its value and its rate."""
+    edges = np.linspace(begin, end, PANELS + 1)
+    there = _values(function, edges)
+    fine = _integrals(function, edges)
+    coarse = _integrals(function, edges[::2])
+    for i, rate in enumerate(RATES):
+        changes = np.diff(there[:, i])
+        off = np.abs(np.cumsum(changes - fine[:, i + 1]))
+        unsure = DOUBT * float(np.abs(fine[::2, i + 1] + fine[1::2, i + 1] - coarse[:, i + 1]).sum())
+        size = max(float(np.abs(changes).sum()), float(np.abs(fine[:, i + 1]).sum()))
+        k = int(np.argmax(off))
+        if off[k] - unsure > MISFIT * size + ROUNDING * PANELS * float(np.abs(there[:, i]).max()):
+            total = float(np.cumsum(fine[:, i + 1])[k])
+            yield (
+                f"from t = {begin:.6g} s to {edges[k + 1]:.6g} s its prescribed {VALUES[i]} changes by "
+                f"{there[k + 1, i] - there[0, i]:.6g}, but the integral of the {rate} is {total:.6g}: give u alone, or "
+                "correct the triple (u, u', u''); where a rate jumps, give one function of t, whose jumps are found"
+            )
+
+
+def _integrals(function: TimeFunction, edges: Array) -> Array:
+    """Integrate value, first and second rate (panels, 3) by Gauss's rule."""
+    half = np.diff(edges) / 2
+    middle = edges[:-1] + half
+    times = middle[:, None] + half[:, None] * NODES
+    values = _values(function, times.ravel()).reshape(*times.shape, 3)
+    return np.asarray(np.einsum("pgc,g,p->pc", values, WEIGHTS, half))
+
+
 def _values(function: TimeFunction, times: Array) -> Array:
-    """Value, first and second rate at each time (nt, 3)."""
+    """Return value, first and second rate at each time (nt, 3)."""
     return np.array([function.rates(float(t)) for t in times])
 
 
 def _slopes(function: TimeFunction, times: Array, h: float) -> Array:
-    """Central differences of them."""
+    """Compute the central differences of the values."""
     return (_values(function, times + h) - _values(function, times - h)) / (2 * h)

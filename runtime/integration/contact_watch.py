@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from flexel.base.arrays import Array
-from flexel.engine.near import rope_gaps
+from flexel.engine.contact_selection import free_gaps
 from flexel.engine.workspace import Workspace
 
 
@@ -26,8 +26,7 @@ class ContactWatch:
     """
 
     def __init__(self, work: Workspace, least: float) -> None:
-        gaps = np.flatnonzero(np.array(work.tables.structure.kinds) == "gap")
-        self._rows = np.setdiff1d(gaps, rope_gaps(work.tables))
+        self._rows = free_gaps(work.tables)
         self.any = bool(self._rows.size) and bool(np.isfinite(least))
         self._work, self._least = work, least
         self._gap = self._rate = self._bend = self._rows.astype(float)
@@ -35,7 +34,7 @@ class ContactWatch:
     def note(self, a: Array) -> None:
         """Take the point that the workspace holds, with accelerations a (n,), as the beginning of the next step."""
         self._gap, self._rate = self._now()
-        self._bend = np.abs(self._work.push(a)[self._rows])
+        self._bend = np.abs(self._work.jvp(a)[self._rows])
 
     def skipped(self, h: float) -> bool:
         """Whether a contact may have been stepped over in a step of length h [s]."""
@@ -52,7 +51,7 @@ class ContactWatch:
 
 
 def lowest_bound(gaps: tuple[Array, Array], rates: tuple[Array, Array], h: float) -> Array:
-    """Where the tangents at both ends of a step meet: a lower bound of convex gaps that fall first and rise then.
+    """Intersect the tangents at both ends of a step: a lower bound of convex gaps that fall first and rise then.
 
     Parameters
     ----------

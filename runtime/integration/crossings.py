@@ -15,7 +15,7 @@ Function = Callable[[float], float]
 
 
 def crossings(function: Function, ends: dict[float, float], direction: int = 0) -> list[float]:
-    """Times of the zero crossings within a step, increasing.
+    """Return the times of the zero crossings within a step, increasing.
 
     Parameters
     ----------

@@ -1,9 +1,9 @@
-"""DOP853 in C with the coordinates as a shadow: step control, and the rules that keep a motion on its branch.
+"""DOP853 in C with predicted coordinates: step control, and the rules that keep a motion on its branch.
 
-The step control is that of SciPy (Hairer, Norsett and Wanner 1993), with three more limits: the shadow's own error,
-the sign of the determinant of the position matrix, which two solutions that meet in a fold have opposite, and the
-distance of the solved coordinates and rates from their shadows.  Where these fail, other degrees of freedom are chosen.
-A step ends where a contact begins or ends.
+The step control is that of SciPy (Hairer, Norsett and Wanner 1993), with three more limits: the error of the
+prediction, the sign of the determinant of the position matrix, which two solutions that meet in a fold have opposite,
+and the distance of the solved coordinates and rates from the predicted ones.  Where these fail, other degrees of
+freedom are chosen.  A step ends where a contact begins or ends.
 """
 
 from __future__ import annotations
@@ -12,25 +12,27 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError, FlexelError
+from flexel.engine.coordinate_work import CoordinateWork
 from flexel.generated._kernels import lib
+from flexel.integration.account import QUADRATURES
 from flexel.integration.branch import REFUSED
-from flexel.integration.dense import Interpolant
+from flexel.integration.dense import UNRELIABLE, Interpolant
 from flexel.integration.dop853_steps import B, Steps
 from flexel.integration.flat import crossing_step, flat_position
 from flexel.integration.minimal import SHORTEST, MinimalRun
 from flexel.integration.outcome import Segment
-from flexel.integration.touching import TRIALS, Touching
-from flexel.structure.moment import Moment
+from flexel.integration.touching import TRIALS, TouchingContacts
+from flexel.model.snapshot import Snapshot
 
 SAFETY, SMALLEST, LARGEST = 0.9, 0.2, 10.0  # factors of the step control
 EXPONENT = -1 / 8
-SHADOW = 1e-3  # error of the shadow in one step, in natural scales
-CAREFUL = 1e-6  # of the shadow and its rates where the sign of the position matrix changes
+PREDICTED = 1e-3  # error of the prediction in one step, in natural scales
+CAREFUL = 1e-6  # of the predicted coordinates and rates where the sign of the position matrix changes
 TURNS = 0.1  # of periodic deformations, in periods
-FARTHEST = 10.0  # distance of the solution from the shadow, in expected errors
+FARTHEST = 10.0  # distance of the solution from the prediction, in expected errors
 FLOOR = 1e-5  # that is always allowed
 STAYS = 0.8  # share of a defect that a step of 0.4 times the length leaves, if the length is not its cause
-NEAR = 1.01  # reach up to which coordinates do not enlarge errors
+UNAMPLIFIED = 1.01  # amplification up to which coordinates do not enlarge errors
 NOISE = 2.0  # of one step to another
 TRUE = 0.1  # error of a step of order eight, relative to the estimates by its embedded formulas
 FIRST = 1e-9  # least first step, relative to the time left: values of y that are rounding errors ask for less
@@ -46,12 +48,14 @@ class Dop853(MinimalRun):
     spare : Steps, optional
         Those of another motion that has ended, with the same tolerances: used again if the degrees of freedom are
         the same.
-    touching : Touching
+    touching : TouchingContacts
     """
 
     steps: Steps
-    touching: Touching
+    touching: TouchingContacts
     spare: Steps | None = None
+    method = "DOP853"
+    quadrature = QUADRATURES[method]
     _h = 0.0
     _tried = 0.0
     _failed = 0
@@ -61,18 +65,29 @@ class Dop853(MinimalRun):
     def restart(self) -> None:
         """Restart from the present position in the present degrees of freedom."""
         y = self.choices.values(self.now, self.z)
-        self.touching = Touching(self.kinematics.evaluation.work.tables)
+        self.take()
+        self.touching = TouchingContacts(self.kinematics.evaluation.work.tables)
         spare, self.spare = self.spare, None
         if spare is not None and spare.kinematics is self.kinematics:
             self.steps = spare
-            spare.start(self.now, y, self.knots)
+            spare.start(self.now, y, self.knots, self.covered)
         else:
-            self.steps = Steps(
-                self.kinematics, self.now, y, self.tolerances.rtol, self.natural_atol(), self.knots
-            )
+            rtol, atol = self.tolerances.rtol, self.natural_atol()
+            self.steps = Steps(self.kinematics, self.now, y, rtol, atol, self.knots, self.covered)
+        self.steps.struct.account = self.account.struct
         self.renew()
         if not self._h:
             self._h = self.tolerances.first_step or self._first_step()
+
+    @property
+    def placed(self) -> CoordinateWork:
+        """The arrays that hold the position at the end of the step that was found last."""
+        return self.steps.choice
+
+    def restart_with(self, h: float) -> None:
+        """The same, with a step [s] to try first."""
+        self._h, self._flat = h, -np.inf
+        self.restart()
 
     def renew(self) -> None:
         """Rates with the loads that have changed."""
@@ -116,7 +131,7 @@ class Dop853(MinimalRun):
             s, c = self.steps, self.steps.struct
             shortest = max(SHORTEST * self._span, 10 * abs(np.nextafter(self.t, np.inf) - self.t))
             if self._h < shortest and self._h < end - self.t:
-                raise self.gives_up(self._stopped())
+                return self.carry_or_stop(self._stopped())
             t1 = min(self.t + crossing_step(self._flat - self.t, min(self._h, self.tolerances.max_step)), end)
             h = self._tried = t1 - self.t
             before = c.evaluations
@@ -147,7 +162,10 @@ class Dop853(MinimalRun):
             elif not careful and not code and (rejected or self._suspicious()):
                 careful, defect = True, longer  # the same length again
                 continue
-            if not (careful and not code and self._finds(h)):
+            if careful and not code and self._finds(h):
+                if steps := self.across(self._flat):
+                    return self.carry(steps)
+            else:
                 self._h = h * (max(SMALLEST, SAFETY * error**EXPONENT) if np.isfinite(error) else SHORTER)
             rejected = True
         factor = min(LARGEST, SAFETY * error**EXPONENT) if error > 0 else LARGEST
@@ -159,11 +177,11 @@ class Dop853(MinimalRun):
     def _error(self) -> float:
         """The largest of the errors of a step, relative to what is allowed."""
         c = self.steps.struct
-        found = max(c.error, c.error_x / SHADOW, c.error_turns / TURNS)
+        found = max(c.error, c.error_own, c.error_x / PREDICTED, c.error_turns / TURNS)
         return float(found) if np.isfinite(found) else np.inf
 
     def _rough(self) -> bool:
-        """Whether the shadow is too inexact to tell a flat position from a fold by it."""
+        """Whether the prediction is too inexact to tell a flat position from a fold by it."""
         c = self.steps.struct
         return bool(max(c.error_x, c.error_v / (c.fastest or 1.0)) > CAREFUL)
 
@@ -184,26 +202,27 @@ class Dop853(MinimalRun):
 
     def _poor(self) -> bool:
         """Whether other degrees of freedom are so much better that they may explain a change of sign."""
-        self.reached = self.choices.reach(self.now)
-        return self.choices.poor(self.now, self.reached)
+        self.amplification = self.choices.amplification(self.now)
+        return self.choices.poor(self.now, self.amplification)
 
     def _trusted(self) -> bool:
-        """Whether the solved coordinates are where the shadow is, within what is expected."""
+        """Whether the solved coordinates are where they were predicted, within what is expected."""
         c, given = self.steps.struct, self.tolerances
-        expected = c.error_x + self.reached * (self.largest_atol + given.rtol)
+        expected = c.error_x + self.amplification * (self.largest_atol + given.rtol)
         return bool(c.defect <= FARTHEST * max(expected, FLOOR))
 
     def _exact(self, longer: float) -> bool:
-        """Whether the solved rates are those of the shadow: near an extreme of a degree of freedom they are not.
+        """Whether the solved rates are the predicted ones: near an extreme of a degree of freedom they are not.
 
         A defect no smaller than that of a longer, refused step is not an error of the step. Later steps may have such a
         defect too, within the tolerance, or each would have to be shorter than the last.
         """
         c, allowed = self.steps.struct, self._allowed()
-        if c.defect_v > min(c.error_v, SHADOW * c.fastest) + self.reached * allowed:
+        enlarged = max(self.amplification, 1.0)  # zero where every motion is prescribed
+        if c.defect_v > min(c.error_v, PREDICTED * c.fastest) + enlarged * allowed:
             return False  # without an impulse rates do not jump
         expected = TRUE * (c.error_v + allowed) + min(self._noise, allowed)
-        if c.defect_v <= expected or self.steps.choice.reach() <= NEAR:
+        if c.defect_v <= expected or self.steps.choice.amplification() <= UNAMPLIFIED:
             return True
         if stays := bool(c.defect_v > STAYS * longer):
             self._noise = max(self._noise, NOISE * c.defect_v)
@@ -211,7 +230,7 @@ class Dop853(MinimalRun):
 
     def consider_refused(self) -> bool:
         """Change to better degrees of freedom at the start of a refused step."""
-        self.reached = self.choices.reach(self.now)
+        self.amplification = self.choices.amplification(self.now)
         return self.consider(REFUSED)
 
     def _accepted(self, t1: float) -> str | None:
@@ -219,11 +238,32 @@ class Dop853(MinimalRun):
         if s.struct.changed:
             self.counts["bifurcations"] += 1
             s.struct.sign = -s.struct.sign
-        self.reached = s.choice.reach()
+        self.amplification = s.choice.amplification()
         last = s.end(t1)
-        dense = Interpolant(self.kinematics, first, last, s.y.copy(), s.y_new.copy(), s.K.copy())
+        r, ends = s.rotations, (s.y.copy(), s.y_new.copy(), s.K.copy())
+        turns = s.w.copy(), s.w_new.copy(), np.hstack([s.w_rates, s.V[:, r.others]])
+        allowed = self.allowed_inside(
+            s.scale, s.w_scale, s.y, s.y_new, self.covered.ranges(s.y_new), self.covered.part
+        )
+        dense = Interpolant(self.kinematics, first, last, *ends, r, *turns, allowed)
         s.accept()
         return self.end_step(first.t, dense, first, s.y[s.y.size - self.z.size :].copy(), last)
+
+    def allowed_inside(
+        self, scale: Array, w_scale: Array, y0: Array, y1: Array, ranges: Array, part: float
+    ) -> Array:
+        """Return errors allowed of an interpolation from y0 to y1, from those of the step at its end.
+
+        Rates that hardly change are as exact relative to their range, as all that is stored: at its end a step is more
+        exact than it has to be. An error that only rounding explains is not more of an interpolation.
+        """
+        allowed, roles = scale.copy(), self.kinematics.roles
+        if self.tolerances.relative:
+            rates = slice(roles.nq, roles.nq + roles.nd)
+            rtol, size = part * self.tolerances.rtol, np.maximum(np.abs(y0), np.abs(y1))[rates]
+            rounded = (allowed[rates] - rtol * size) / UNRELIABLE
+            allowed[rates] = rounded + rtol * np.minimum(size, ranges[rates])
+        return self.steps.rotations.allowed(allowed, w_scale) / part
 
     # -- steps that are taken in a lane, see abreast.py ------------------------------------------------
 
@@ -237,19 +277,20 @@ class Dop853(MinimalRun):
         """Length of the next step [s]."""
         return self._h
 
-    def pass_step(self, first: Moment, last: Moment, dense: Interpolant) -> None:
+    def pass_step(self, first: Snapshot, last: Snapshot, dense: Interpolant) -> None:
         """Store the states at the times within an accepted step."""
         z = dense.y1[dense.y1.size - self.z.size :].copy()
         self.accept(Segment(first.t, last.t, self.kinematics, self._shown, dense, first, last), z)
 
-    def go_on_alone(self, now: Moment, h: float, reached: float) -> None:
+    def go_on_alone(self, now: Snapshot, h: float, amplification: float) -> None:
         """Continue from the start of a step, whose variables and rates are in `steps`."""
-        self.now, self.z, self._h, self.reached = (
+        self.now, self.z, self._h, self.amplification = (
             now,
             self.steps.y[self.steps.y.size - self.z.size :].copy(),
             h,
-            reached,
+            amplification,
         )
+        self.account.note(now.t)
 
     def count(self, taken: int, refused: int) -> None:
         """Count steps that were taken and refused."""
@@ -265,8 +306,8 @@ class Dop853(MinimalRun):
         if not self._trusted():
             jumped = f"'{s.names[s.m + s.k + c.farthest]}' jumps by {c.defect:.2g} of its natural scale{self._cut()}; "
         return DynamicsError(
-            f"the steps have become too short at t = {self.t:g} s (reach {self.reached:.2g}, with the best choice "
-            f"{self.choices.best:.2g}): {self.trouble(jumped)}"
+            f"the steps have become too short at t = {self.t:g} s (amplification {self.amplification:.2g}, "
+            f"with the best choice {self.choices.best:.2g}): {self.trouble(jumped)}"
         )
 
     def _cut(self) -> str:

@@ -1,4 +1,4 @@
-"""Single steps of DOP853 in C, with the coordinates as a shadow; see runge_kutta.h."""
+"""Single steps of DOP853 in C, with predicted coordinates; see runge_kutta.h."""
 
 from __future__ import annotations
 
@@ -8,13 +8,16 @@ import numpy as np
 from scipy.integrate._ivp import dop853_coefficients as tableau
 
 from flexel.base.arrays import Array
-from flexel.engine.choice import Choice
+from flexel.engine.coordinate_work import CoordinateWork
+from flexel.engine.covered import Covered
+from flexel.engine.lanes import aligned
+from flexel.engine.rotations import LISTS, Rotations
 from flexel.engine.structs import Struct
 from flexel.generated._kernels import ffi, lib
 from flexel.integration.inputs import give
 from flexel.integration.knots import Knots
 from flexel.mechanics.kinematics import Kinematics
-from flexel.structure.moment import Moment
+from flexel.model.snapshot import Snapshot
 
 ACCEPT = 0.01  # error of a position below which J is not evaluated again, relative to rtol, where no law acts
 A, B, C = (np.ascontiguousarray(z, dtype=float) for z in (tableau.A[:12, :12], tableau.B, tableau.C[:12]))
@@ -36,11 +39,20 @@ class Steps(Struct):
     """The struct of runge_kutta.h for one choice of degrees of freedom."""
 
     def __init__(
-        self, kinematics: Kinematics, now: Moment, y: Array, rtol: float, atol: Array, knots: Knots
+        self,
+        kinematics: Kinematics,
+        now: Snapshot,
+        y: Array,
+        rtol: float,
+        atol: Array,
+        knots: Knots,
+        covered: Covered,
     ) -> None:
         super().__init__(ffi.new("flexel_dop853 *"))
         self.kinematics = kinematics
-        self.choice = Choice(kinematics.evaluation.work, kinematics.lists)  # dense output does not change it
+        self.choice = CoordinateWork(
+            kinematics.evaluation.work, kinematics.lists
+        )  # dense output does not change it
         c, s = self.struct, kinematics.structure
         self._periodic = np.flatnonzero(s.period[: s.m])
         c.ny, c.rtol = y.size, rtol
@@ -55,20 +67,36 @@ class Steps(Struct):
         self.V = self.new("V", 13 * nf).reshape(13, nf)
         self.W = self.new("W", 13 * nf).reshape(13, nf)
         self.turning = self.new("turning", 13 * nq).reshape(13, nq)
-        self.new("space", max(y.size, nf))
+        self.new("space", max(2 * y.size, nf))
         self.determinant = np.zeros(TIMES.size)
         self._determinant = self.pointer(self.determinant)
         motion, loads = self.choice.motion.size, self.choice.loads.size
         c.ngiven = motion + loads
         self._given = self.new("given", 13 * (motion + loads)).reshape(13, -1)
-        self.start(now, y, knots)
+        self.scale = self.new("scale", y.size)
+        self.rotations = r = Rotations.of(s, kinematics.roles)
+        for name in LISTS:
+            setattr(c.rotations, name, self.integers(getattr(r, name).flatten()))
+        c.rotations.count = r.count
+        c.apart = self.pointer(r.apart(kinematics.lists.step_weight))
+        found = {name: self._of_rotations(name, size) for name, size in r.sizes.items()}
+        self.w, self.w_new, self.w_rates = found["w"], found["w_new"], found["W"].reshape(13, -1)
+        self.w_scale = found["scale"]
+        self.start(now, y, knots, covered)
 
-    def start(self, now: Moment, y: Array, knots: Knots) -> None:
-        """Begin at an instant; what follows depends on nothing computed before."""
-        self._knots = knots
+    def _of_rotations(self, name: str, size: int) -> Array:
+        """A new array of zeros (size,) for a field of rotations.h."""
+        array = aligned(max(size, 1))[:size]
+        setattr(self.struct.rotations, name, self.pointer(array))
+        return array
+
+    def start(self, now: Snapshot, y: Array, knots: Knots, covered: Covered) -> None:
+        """Begin at an instant; what follows depends on nothing computed before, but for what the motion has covered."""
+        self._knots, self.covered, self.struct.covered = knots, covered, covered.struct
         self.choice.reset()
         self.choice.struct.accept = 0.0
         self.y[:], self.x[:], self.e[:] = y, now.x, now.e[self._periodic]
+        covered.begin(y)
 
     @property
     def first_order(self) -> bool:
@@ -91,7 +119,8 @@ class Steps(Struct):
         A careful step finds positions to rounding, and keeps the sizes of the determinants.
         """
         choice = self.choice.struct
-        choice.accept = 0.0 if careful else accepted_error(self.kinematics, self.struct.rtol)
+        accepted = self.covered.accepted_error(accepted_error(self.kinematics, self.struct.rtol))
+        choice.accept = 0.0 if careful else accepted
         self.struct.determinant = self._determinant if careful else ffi.NULL
         if careful:
             self.begin(t)
@@ -103,11 +132,11 @@ class Steps(Struct):
     def _structs(self) -> tuple[Any, Any, Any]:
         return self.choice.work.struct, self.choice.struct, self.struct
 
-    def end(self, t: float) -> Moment:
+    def end(self, t: float) -> Snapshot:
         """Position and rates at the end of the last step."""
         work = self.choice.work
         work.rates()
-        return Moment(t, self.x_new.copy(), work.v.copy(), work.e.copy(), work.w[: work.e.size].copy())
+        return Snapshot(t, self.x_new.copy(), work.v.copy(), work.e.copy(), work.w[: work.e.size].copy())
 
     def accept(self) -> None:
         """Continue from the end of the last step."""

@@ -16,17 +16,20 @@ from flexel.base.arrays import Array
 from flexel.base.errors import DampingWarning, FlexelError
 from flexel.base.progress import progress_bar
 from flexel.base.time_functions import calls_user
+from flexel.integration.event_samples import EventSample, EventSamples
 from flexel.integration.events import Event, passages, value
+from flexel.integration.imbalance import Imbalance
 from flexel.integration.knots import FORCES, RATES, Knots
 from flexel.integration.outcome import Integration, Pending, Segment, States
+from flexel.integration.passed import Passages
 from flexel.integration.sampling import Sampling
 from flexel.integration.watchdog import Watchdog
-from flexel.mechanics.core import Core
 from flexel.mechanics.impulse import struck
 from flexel.mechanics.kinematics import Kinematics
-from flexel.structure.callbacks import Callback, raise_failures
-from flexel.structure.moment import Moment
-from flexel.structure.state import State
+from flexel.model.callbacks import callbacks_of, raise_failures
+from flexel.model.snapshot import Snapshot
+from flexel.model.state import State
+from flexel.system import CoreSystem
 
 log = logging.getLogger("flexel.simulate")
 INTERRUPTED = "interrupted"  # begins the message of a motion that Ctrl-C has ended
@@ -44,16 +47,28 @@ class Run(ABC):
         The results stored so far.
     knots : Knots
         Where prescribed motions and loads are not smooth: every step ends there.
+    smooth_since : float
+        Time [s] of the last of them, or at which controllers were sampled.
+    passed : Passages
+        Contacts that were passed within steps.
+    method : str
+        Its name; empty if nothing is integrated.
+    events : sequence of Event
     """
 
-    def __init__(self, system: Core, start: State, times: Array) -> None:
+    method: str
+    events: Sequence[Event] = ()
+
+    def __init__(self, system: CoreSystem, start: State, times: Array) -> None:
         self.times = times
         self.knots = Knots(system, float(times[0]), float(times[-1]))
         self.result = Integration(States([start]), [], [], {}, "")
         self.sampling = Sampling(start.structure)
-        self._callbacks = [law.code for law in start.structure.laws if isinstance(law.code, Callback)]
+        self._callbacks = callbacks_of(start.structure.laws)
         self._jumped: float | None = None  # when controllers were sampled last
+        self.smooth_since = float(times[0])
         self._watchdog = Watchdog(start.structure)
+        self.passed = Passages(system.evaluation)
 
     @property
     @abstractmethod
@@ -117,7 +132,7 @@ class Run(ABC):
         if self.t < self.knots.end:
             self.knots.look(self.t)
             return
-        jumped = self.knots.cross(self.t)
+        jumped, self.smooth_since = self.knots.cross(self.t), self.t
         if jumped == RATES:
             log.info("t = %.9g s: prescribed rates jump", self.t)
             self.strike()
@@ -130,7 +145,7 @@ class Run(ABC):
             self._pass_knots()
         if self.sampling.all and self.t != self._jumped and self.sampling.due(self.t):
             at, z = self.instant
-            self._jumped = self.t
+            self._jumped = self.smooth_since = self.t
             self.jump(self.sampling.after(at, z, lambda: self.present))
         if not self._callbacks:
             return self.advance()
@@ -157,7 +172,7 @@ class Run(ABC):
         return self.rest(progress, each)
 
     def rest(self, progress: bool | None, each: Callable[[Run], None] | None = None) -> Integration:
-        """The rest of a motion that has begun, as in `run`."""
+        """Compute the rest of a motion that has begun, as in `run`."""
         begin, end = float(self.times[0]), float(self.times[-1])
         show = sys.stderr.isatty() if progress is None else flag(progress, "simulate", "progress")
         message: str | None = None
@@ -180,26 +195,50 @@ class Run(ABC):
         return self.kept(message or "reached the end")
 
     def interrupted(self) -> Integration:
-        """The results so far of a motion that Ctrl-C has ended."""
+        """Return the results so far of a motion that Ctrl-C has ended."""
         found = self.kept(INTERRUPTED)
         return replace(found, message=f"{INTERRUPTED} at t = {found.states.end:g} s")
 
     def kept(self, message: str) -> Integration:
-        """The results so far, up to the last step or the event that ended it."""
+        """Return the results so far, up to the last step or the event that ended it."""
         self.keep()
         return replace(self.result, message=message, statistics=self.statistics)
 
     def warn(self, text: str, category: type[Warning] = DampingWarning) -> None:
-        """Note what is known against the motion, and issue it once as a Python warning; see `Motion.warnings`."""
+        """Record what is known against the motion, and issue it once as a Python warning; see `Motion.warnings`."""
         self.result.warn(text, category)
 
+    def imbalance(self) -> Imbalance | None:
+        """Return the error of the energy balance of the ended motion; None where nothing was integrated."""
+        return None
+
+    def describe_imbalance(self, balance: Imbalance) -> str:
+        """Describe the error where the energy balance fails."""
+        return (
+            f"the energy balance of {self.method} fails by {balance.missing:.2g} J of {balance.moved:.3g} J, most at "
+            f"t = {balance.when:.6g} s, {balance.missing / balance.allowed:.2g} times what its tolerance explains; "
+            "give a smaller rtol and atol, or a max_step, and look at what acts there"
+        )
+
+    def contradictions(self) -> list[EventSample]:
+        """Return what contradicts the events that were reported."""
+        return []
+
+    def passages(self) -> Passages:
+        """Return the contacts that were passed within steps."""
+        return self.passed
+
+    def dangers(self) -> list[str]:
+        """Describe positions of the motion in which its digits, or its branch, are not reliable."""
+        return []
+
     def judge(self) -> str | None:
-        """What its method knows against the motion, which has ended; nothing for most."""
+        """Return what the method knows against the motion, which has ended; nothing for most methods."""
         return None
 
     @property
     @abstractmethod
-    def instant(self) -> tuple[Moment, Array]:
+    def instant(self) -> tuple[Snapshot, Array]:
         """Coordinates, rates and deformations at the current time, and internal states of laws."""
 
     def go_on(self, until: float) -> None:
@@ -208,7 +247,7 @@ class Run(ABC):
         self.result = self.result.last()
 
     def so_far(self) -> Integration:
-        """The results so far and the current state, in lists of their own; the run continues unchanged."""
+        """Copy the results so far and the current state to separate lists; the run continues unchanged."""
         stored = len(self.result.states)
         found = self.kept("not at its end").copy()
         self.result.cut(stored)
@@ -220,26 +259,27 @@ class DenseRun(Run):
 
     Attributes
     ----------
-    now : Moment
+    now : Snapshot
         The current point of the motion.
     """
 
     def __init__(self, system: Any, start: State, times: Array, events: Sequence[Event]) -> None:
         super().__init__(system, start, times)
         self.system, self.events = system, events
-        self.now, self.z = Moment.of(start), start.z
+        self.now, self.z = Snapshot.of(start), start.z
         self._values = [value(event, start) for event in events]
+        self._looks = EventSamples(events, start.t, self._values)
         self._span = float(times[-1] - times[0])
         self._shown: Kinematics = system.kinematics_of(start.roles)
         # what the user's functions give later may be something else: states are then completed at once
         self._at_once = bool(self._callbacks) or any(map(calls_user, self._shown.time_functions))
 
     def run(self, progress: bool | None, each: Callable[[Run], None] | None = None) -> Integration:
-        """As for all methods; a motion of zero length is its start, and no step is prepared."""
+        """Run as all methods do; a motion of zero length is its start, and no step is prepared."""
         return super().run(progress, each) if self._span else self.kept("reached the end")
 
     def begin(self) -> None:
-        """No preparation is needed."""
+        """Prepare nothing."""
 
     @property
     def t(self) -> float:
@@ -252,7 +292,7 @@ class DenseRun(Run):
         return self.result.segments[-1].t1 - self.result.segments[-1].t0 if self.result.segments else None
 
     @property
-    def instant(self) -> tuple[Moment, Array]:
+    def instant(self) -> tuple[Snapshot, Array]:
         """Coordinates, rates and deformations at the current time, and internal states of laws."""
         return self.now, self.z
 
@@ -270,6 +310,29 @@ class DenseRun(Run):
         """Continue from here with the rates just after an impulse."""
         self.now = struck(self._shown, self.now, self.knots.inside(self.t))
 
+    def contradictions(self) -> list[EventSample]:
+        """Return what contradicts the events that were reported."""
+        result = self.result
+        return list(self._looks.contradictions(result.states, result.segments))
+
+    def passages(self) -> Passages:
+        """Return the contacts that were passed within steps."""
+        self.passed.look((step.first, step.last) for step in self.result.segments)
+        return self.passed
+
+    def rewind(self, now: Snapshot, z: Array) -> None:
+        """Continue from an earlier instant, with what was stored since then dropped."""
+        result = self.result
+        while result.segments and result.segments[-1].t0 >= now.t:
+            result.segments.pop()
+        if result.segments and result.segments[-1].t1 > now.t:
+            result.segments[-1] = replace(result.segments[-1], t1=now.t)
+        result.cut(int(np.searchsorted(result.states.times, now.t, side="right")))
+        result.events[:] = [found for found in result.events if found[1].t <= now.t]
+        self.now, self.z = now, z
+        state = self.present
+        self._values = [value(event, state) for event in self.events]
+
     def accept(self, step: Segment, z: Array) -> str | None:
         """Continue from the end of a step, or end at a terminal event within it and return its message."""
         terminal: tuple[Event, State] | None = None
@@ -277,9 +340,10 @@ class DenseRun(Run):
             last = Pending(step.shown, step.last, z).state()
             times = float(self.times[0]), self._span
             found, self._values = passages(self.events, step, last, self._values, times)
-            terminal = next((z for z in found if z[0].terminal), None)
+            self._looks.note(step.t1, self._values, found)
+            terminal = next((passage for passage in found if passage[0].terminal), None)
             end = terminal[1].t if terminal else step.t1
-            for event, z_event in [z for z in found if z[1].t <= end]:
+            for event, z_event in [passage for passage in found if passage[1].t <= end]:
                 log.info("t = %.9g s: event '%s'", z_event.t, event.name)
                 self.result.events.append((event.name, z_event))
         end = terminal[1].t if terminal else step.t1
@@ -287,7 +351,7 @@ class DenseRun(Run):
         self.result.segments.append(replace(step, t1=end) if terminal else step)
         self.now, self.z, self._shown = step.last, z, step.shown
         if terminal:
-            self.now, self.z = Moment.of(terminal[1]), terminal[1].z
+            self.now, self.z = Snapshot.of(terminal[1]), terminal[1].z
             return f"stopped by event '{terminal[0].name}'"
         return None
 

@@ -10,9 +10,10 @@ from typing import Any
 from flexel.base.arguments import flag, number, text
 from flexel.base.copies import Constant, check_travels
 from flexel.base.errors import ModelError
+from flexel.base.nested import WITHIN
 from flexel.integration.crossings import LOCATED, crossings
 from flexel.integration.outcome import Segment
-from flexel.structure.state import State
+from flexel.model.state import State
 
 INSTANT = 1e-9  # relative to the times: an event found within this time is the one at which the motion starts
 
@@ -63,15 +64,15 @@ class Event(Constant):
             )
 
     def __getstate__(self) -> dict[str, Any]:
-        """The fields; a ModelError that names the event if its function cannot be pickled."""
+        """Return the fields; raise a ModelError that names the event if its function cannot be pickled."""
         check_travels(f"event '{self.name}'", self.function)
         return super().__getstate__()
 
 
 def checked(events: Any) -> tuple[Event, ...]:
-    """The user's events, or a ModelError."""
+    """Return the user's events, or raise a ModelError."""
     listed = tuple(events) if isinstance(events, Iterable) else None
-    if listed is None or not all(isinstance(z, Event) for z in listed):
+    if listed is None or not all(isinstance(event, Event) for event in listed):
         raise ModelError(
             f"simulate: events {events!r} are not a list of Events; write [Event(name, function)]"
         )
@@ -79,10 +80,11 @@ def checked(events: Any) -> tuple[Event, ...]:
 
 
 def value(event: Event, state: State) -> float:
-    """The function of an event at a state."""
+    """Return the function of an event at a state."""
     owner = f"event '{event.name}' at t = {state.t:g} s"
     try:
-        found = event.function(state)
+        with WITHIN:
+            found = event.function(state)
     except RecursionError as error:
         raise ModelError(f"{owner}: its function calls itself without end; correct it") from error
     return number(found, owner, "value")
@@ -95,7 +97,7 @@ def passages(
     before: Sequence[float],
     times: tuple[float, float],
 ) -> tuple[list[tuple[Event, State]], list[float]]:
-    """Zero crossings within a step, in the order of time, and the functions at its end.
+    """Find the zero crossings within a step, in the order of time, and the functions at its end.
 
     Each function is sampled within the step.  Where its size has a minimum between samples, the minimum is searched
     for, so that two crossings between two samples are found too.

@@ -8,24 +8,24 @@ from __future__ import annotations
 import numpy as np
 
 from flexel.base.arrays import Array
-from flexel.mechanics.core import Core
 from flexel.mechanics.rigid import spectrum
-from flexel.structure.state import State
+from flexel.model.state import State
+from flexel.system import CoreSystem
 
 SEEN = 0.05  # amplitude of a mode, relative to the range of the motion, from which it is followed
 DECAY = 15.0  # time constants after which a damped mode has vanished
 GROWTH = 10.0  # time constants after which an unstable mode matters, whatever its amplitude at first
 
 
-def followed(system: Core, state: State, A: Array, duration: float) -> float:
-    """Radians through which the modes turn that a motion excites; knots of tables count as one each.
+def followed(system: CoreSystem, state: State, A: Array, duration: float) -> float:
+    """Return the angle [rad] through which the excited modes turn; each knot of a table counts as a radian.
 
     The motion is that of the equations linearized at its start, y' = f + A (y - y0): mode i with eigenvalue λ_i and
     left and right eigenvectors l_i, r_i has the amplitude l_i·f / (l_i·r_i λ_i).
 
     Parameters
     ----------
-    system : Core
+    system : CoreSystem
     state : State
         The start, with its accelerations.
     A : ndarray (2 nd + nk + nz, 2 nd + nk + nz)
@@ -48,14 +48,14 @@ def followed(system: Core, state: State, A: Array, duration: float) -> float:
     return max(turned, _rotation(system, state) * duration, _knots(system, state.t, state.t + duration))
 
 
-def _rates(system: Core, state: State) -> Array:
-    """Derivatives of (q_d', q_d, q_k, z)."""
+def _rates(system: CoreSystem, state: State) -> Array:
+    """Return the derivatives of (q_d', q_d, q_k, z)."""
     dynamic, dofs = system.roles.dynamic, system.roles.dofs
     return np.concatenate([state.Phi_v[dynamic], state.rates[dofs], state.zd])
 
 
-def _sizes(system: Core, A: Array, parts: Array, rigid: Array, duration: float) -> Array:
-    """Ranges of (q_d, q_k, z): of degrees of freedom the largest in natural scales, of internal states of each."""
+def _sizes(system: CoreSystem, A: Array, parts: Array, rigid: Array, duration: float) -> Array:
+    """Return the ranges of (q_d, q_k, z): the largest of the degrees of freedom, scaled, and each internal state's."""
     nd, nq = system.roles.nd, system.roles.nq
     ranges = parts.sum(axis=1) + np.abs(rigid[nd:]) * duration
     ranges[:nd] += np.abs(rigid[:nd]) * duration**2 / 2
@@ -64,13 +64,13 @@ def _sizes(system: Core, A: Array, parts: Array, rigid: Array, duration: float) 
     return np.asarray(np.maximum(ranges, 1e-300))
 
 
-def _rotation(system: Core, state: State) -> float:
-    """The fastest rate [rad/s] among angles and Euler parameters."""
+def _rotation(system: CoreSystem, state: State) -> float:
+    """Return the fastest rate [rad/s] among angles and Euler parameters."""
     units = np.array(system.structure.units, dtype=object)
     return float(np.abs(state.rates[(units == "rad") | (units == "-")]).max(initial=0.0))
 
 
-def _knots(system: Core, begin: float, end: float) -> float:
-    """How many knots of tables lie within the motion: every step ends at one."""
-    tables = [np.asarray(getattr(z, "knots", ())) for z in system.kinematics.time_functions]
+def _knots(system: CoreSystem, begin: float, end: float) -> float:
+    """Count the knots of tables within the motion: every step ends at one."""
+    tables = [np.asarray(getattr(function, "knots", ())) for function in system.kinematics.time_functions]
     return float(sum(np.count_nonzero((knots > begin) & (knots < end)) for knots in tables))

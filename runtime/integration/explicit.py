@@ -15,16 +15,17 @@ from scipy.integrate import BDF, LSODA, RK45
 
 from flexel.base.arrays import Array
 from flexel.base.errors import ConstraintError, DynamicsError, FlexelError, PositionError
-from flexel.engine.choice import Choice
+from flexel.engine.coordinate_work import CoordinateWork
 from flexel.generated._kernels import lib
+from flexel.integration.account import INNER, QUADRATURES
 from flexel.integration.branch import REFUSED
 from flexel.integration.events import Event
 from flexel.integration.followed import longest_step, turning_weights
 from flexel.integration.jacobian import jacobian
 from flexel.integration.minimal import SHORTEST, MinimalRun, Tolerances
 from flexel.mechanics.states import between, located
-from flexel.structure.moment import Moment
-from flexel.structure.state import State
+from flexel.model.snapshot import Snapshot
+from flexel.model.state import State
 
 log = logging.getLogger("flexel.simulate")
 METHODS: dict[str, Any] = {"RK45": RK45, "BDF": BDF, "LSODA": LSODA}
@@ -55,8 +56,9 @@ class Scipy(MinimalRun):
         events: Sequence[Event],
         rechoose: bool,
     ) -> None:
+        self.quadrature = QUADRATURES[method]
         super().__init__(system, start, times, tolerances, events, rechoose)
-        self.method, self._implicit = METHODS[method], method in IMPLICIT
+        self.method, self._kind, self._implicit = method, METHODS[method], method in IMPLICIT
         self._turning = turning_weights(system.structure)
         self._first_step = tolerances.first_step
         self._solver: Any = None
@@ -69,7 +71,7 @@ class Scipy(MinimalRun):
         return self.counts | {"evaluations": self.counts["evaluations"] + running}
 
     def restart(self) -> None:
-        """Another solver, which continues from the present position in the present degrees of freedom."""
+        """Start another solver, which continues from the present position in the present degrees of freedom."""
         if self._solver is not None:
             self.counts["evaluations"] += self._solver.nfev
         y = self.choices.values(self.now, self.z)
@@ -87,7 +89,21 @@ class Scipy(MinimalRun):
         if self._implicit:
             options["jac"] = self._jacobian
         self._solver = self._started(y, options)
+        if self._implicit:
+            self._look(self.t, y, self.now)
+        self.account.first_trial()
         self._sign = self._sign_at(self.now)
+
+    @property
+    def placed(self) -> CoordinateWork:
+        """The arrays that hold the position at the end of the step that was found last."""
+        return self._choice
+
+    def restart_with(self, h: float) -> None:
+        """Restart with a step [s] to try first."""
+        self._first_step = h
+        if self.t < self.stop:
+            self.restart()
 
     def jump(self, z: Array) -> None:
         """Continue from here with other internal states."""
@@ -95,40 +111,58 @@ class Scipy(MinimalRun):
         self.restart()
 
     def _started(self, y: Array, options: dict[str, Any]) -> Any:
-        """A solver; with a short first step if its own choice leads to an unreachable position."""
+        """Start a solver, with a short first step if its own choice leads to an unreachable position."""
         begin = self._rates, self.t, y, self.stop
+        self.account.begin()
         try:
-            return self.method(*begin, **options)
+            return self._kind(*begin, **options)
         except (PositionError, ConstraintError):
             if "first_step" in options:
                 raise
             self._choice.warm(self.now)
+            self.account.begin()
             short = min(FIRST * (begin[-1] - begin[1]), options["max_step"])
-            return self.method(*begin, **options, first_step=short)
+            return self._kind(*begin, **options, first_step=short)
 
     def _rates(self, t: float, y: Array) -> Array:
-        choice: Choice = self.kinematics.given(self.knots.inside(t))
+        choice: CoordinateWork = self.kinematics.given(self.knots.inside(t))
         choice.y[:] = y
         self.kinematics.check(choice.rhs(t), t)
+        if not self._implicit:
+            self.account.evaluated(choice)
         return choice.dy.copy()
 
+    def _look(self, t: float, y: Array, guess: Snapshot) -> None:
+        """Take the powers at an instant into the account, which needs one evaluation of the rates."""
+        choice = self.kinematics.given(self.knots.inside(t))
+        self.counts["evaluations"] += 1
+        self.kinematics.check(choice.evaluate(t, y, guess.x, guess.e), t)
+        self.account.evaluated(choice)
+
+    def _look_within(self, solver: Any, last: Snapshot) -> None:
+        """Take the powers within a step, from its dense output, and at its end into the account."""
+        dense = solver.dense_output()
+        for t in (self.t + INNER * (last.t - self.t)).tolist():
+            self._look(t, dense(t), between(self.now, last, t))
+        self._look(last.t, solver.y, last)
+
     def _jacobian(self, t: float, y: Array) -> Array:
-        """Derivatives of the rates by y."""
+        """Return the derivatives of the rates by y."""
         roles = self.kinematics.roles
         q, qd, z = np.split(y, [roles.nq, roles.nq + roles.nd])
         choice = self._choice
-        near = choice.last or self.now
-        x, v, e = located(self.kinematics, t, q, qd, near)
-        choice.warm(Moment(t, x, v, e, near.ed))
-        return jacobian(self.kinematics, Moment(t, x, v, e, near.ed), z)
+        guess = choice.last or self.now
+        x, v, e = located(self.kinematics, t, q, qd, guess)
+        choice.warm(Snapshot(t, x, v, e, guess.ed))
+        return jacobian(self.kinematics, Snapshot(t, x, v, e, guess.ed), z)
 
     def _longest(self) -> float:
-        """Longest step [s] in which no frame turns too far for its position to be followed."""
+        """Return the longest step [s] in which no frame turns too far for its position to be followed."""
         still = np.zeros_like(self.now.v)
         return min(self.tolerances.max_step, longest_step(self.now.v, still, self._turning))
 
     def advance(self) -> str | None:
-        """One step, or a shorter one after a position that cannot be reached or trusted."""
+        """Take one step, or a shorter one after a position that cannot be reached or trusted."""
         if self._solver.t_bound != self.stop:
             self.restart()
         solver = self._solver
@@ -140,31 +174,37 @@ class Scipy(MinimalRun):
                     f"integration failed at t = {solver.t:g} s: {message}; {self.trouble('')}"
                 )
             last = self._end(solver)
+            if self._implicit:
+                self._look_within(solver, last)
         except (PositionError, ConstraintError) as error:
-            self._refused(solver, error)
-            return None
+            return self._refused(solver, error)
         except FlexelError as error:
-            raise self.noted(error) from None
+            return self.carry_or_stop(error)
+        self.account.accept(last.t - self.t)
         self._first_step = None
         first, dense = self.now, solver.dense_output()
         z = np.array(solver.y[self.kinematics.roles.nq + self.kinematics.roles.nd :])
         return self.end_step(first.t, dense, first, z, last)
 
-    def _refused(self, solver: Any, error: FlexelError) -> None:
-        """Start again from where the step began, with a shorter one, in better degrees of freedom if there are any."""
+    def _refused(self, solver: Any, error: FlexelError) -> str | None:
+        """Start again from where the step began, with a shorter one, in better degrees of freedom if there are any.
+
+        Where that would be too short, the motion may be carried across a flat position.
+        """
         tried = float(getattr(solver, "h_abs", None) or 1e-3 * (solver.t_bound - self.t))
         tried = min(tried, abs(solver.t - self.t) or tried)
         self.counts["rejected"] += 1
         log.debug("restarts at t = %.9g s with a shorter step: %s", self.t, error)
         self._first_step = min(tried, self._first_step or np.inf) / 2
         if self._first_step < SHORTEST * self._span:
-            raise self.gives_up(error)
-        self.reached = self.choices.reach(self.now)
+            return self.carry_or_stop(error)
+        self.amplification = self.choices.amplification(self.now)
         self.consider(REFUSED)
         self.restart()
+        return None
 
-    def _end(self, solver: Any) -> Moment:
-        """Position and rates at the end of a step.
+    def _end(self, solver: Any) -> Snapshot:
+        """Return position and rates at the end of a step.
 
         Raises
         ------
@@ -174,28 +214,29 @@ class Scipy(MinimalRun):
         roles, t1 = self.kinematics.roles, float(solver.t)
         half = 0.5 * (self.t + t1)
         guess = self.now.turns(t1)
-        ahead = Moment(t1, self._choice.x_last.copy(), self.now.v, guess, self._choice.ed_last.copy())
+        ahead = Snapshot(t1, self._choice.x_last.copy(), self.now.v, guess, self._choice.ed_last.copy())
         q, qd, _ = np.split(solver.y, [roles.nq, roles.nq + roles.nd])
-        x, v, e = located(self.kinematics, t1, q, qd, ahead)
+        x, v, e = located(self.kinematics, self.knots.inside(t1), q, qd, ahead)
         work = self._choice.work
         work.rates()
-        last = Moment(t1, x, v, e, work.w[: e.size].copy())
+        last = Snapshot(t1, x, v, e, work.w[: e.size].copy())
         sign = lib.flexel_matrix_sign(self._choice.P)
         q, qd, _ = np.split(solver.dense_output()(half), [roles.nq, roles.nq + roles.nd])
         middle = located(self.kinematics, half, q, qd, between(self.now, last, half))[1]
         self._check(last, middle, sign)
         self._choice.warm(last)
-        self.reached = self._choice.reach()
+        self.amplification = self._choice.amplification()
         return last
 
-    def _check(self, last: Moment, middle: Array, sign: int) -> None:
+    def _check(self, last: Snapshot, middle: Array, sign: int) -> None:
         """Raise if the end of a step is on another branch than its start."""
         h, s = last.t - self.t, self.kinematics.structure
         simpson = self.now.x + h / 6 * (self.now.v + 4 * middle + last.v)
         coarse = self.now.x + h / 2 * (self.now.v + last.v)
         weight = self.kinematics.lists.step_weight
         off, expected = (
-            float(np.max(np.abs(z - simpson)[: s.nf] * weight, initial=0.0)) for z in (last.x, coarse)
+            float(np.max(np.abs(values - simpson)[: s.nf] * weight, initial=0.0))
+            for values in (last.x, coarse)
         )
         expected *= 0.1  # Simpson's rule is better than the trapezoidal one by more than that
         if sign == self._sign and off <= max(TWICE * expected, FARTHEST * FLOOR):
@@ -214,6 +255,6 @@ class Scipy(MinimalRun):
             f"may be singular there, or a deformation jumps; {driven}choose other degrees of freedom, or DOP853"
         )
 
-    def _sign_at(self, near: Moment) -> int:
-        self.choices.reach(near)
+    def _sign_at(self, at: Snapshot) -> int:
+        self.choices.amplification(at)
         return int(lib.flexel_matrix_sign(self._choice.P))

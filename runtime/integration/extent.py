@@ -7,16 +7,16 @@ import numpy as np
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.base.time_functions import calls_user
-from flexel.mechanics.balance import Saddle
+from flexel.integration.balance import Saddle
 from flexel.mechanics.saddle import SaddlePattern
-from flexel.structure.state import State
+from flexel.model.state import State
 
 PARTS = 10.0 ** -np.arange(7)  # of the duration, over which steps are tried
 LOOKS = np.linspace(0.125, 1.0, 8)  # instants, over the duration, at which loads and motions are seen
 
 
 def extent(saddle: Saddle, start: State, duration: float) -> float:
-    """Largest displacement to expect, in natural scales, at most 1.
+    """Estimate the largest displacement to expect, in natural scales, at most 1.
 
     One step of the implicit Euler method from the start, linearized, goes as far as a vibration whose period is
     longer than the step, or else to its static deflection. The largest of steps of many lengths is taken, and of
@@ -46,7 +46,7 @@ def extent(saddle: Saddle, start: State, duration: float) -> float:
 
 
 def _later(saddle: Saddle, pattern: SaddlePattern, start: State, step: float, t: float) -> float:
-    """Largest displacement in a step with the loads at a later time; zero where a table has ended before.
+    """Estimate the largest displacement in a step with the loads at a later time; zero where a table has ended.
 
     The motion reports that by itself if it comes so far.
     """
@@ -57,7 +57,7 @@ def _later(saddle: Saddle, pattern: SaddlePattern, start: State, step: float, t:
 
 
 def _displacement(saddle: Saddle, pattern: SaddlePattern, start: State, step: float, t: float) -> float:
-    """Largest displacement in a step with the loads at a time."""
+    """Return the largest displacement in a step with the loads at a time."""
     saddle.z = start.z
     b = saddle.balance(t, start.x, start.v, -start.v / step, saddle.multipliers(start), start.e)
     saddle.stiffness(1 / step, 1 / step**2, share=step if saddle.structure.nz else 0.0)

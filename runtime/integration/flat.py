@@ -23,7 +23,7 @@ MIDDLES, HALVES = (_ENDS[1:] + _ENDS[:-1]) / 2, (_ENDS[1:] - _ENDS[:-1]) / 2  # 
 WIDEST = int(np.argmax(HALVES))
 
 
-def flat_position(logarithm: Array) -> float | None:
+def flat_position(logarithm: Array, times: Array = TIMES) -> float | None:
     """The time at which the determinant is zero, relative to the step; None if it is not near the step.
 
     The determinant is c |t - t*|^N exp(b t): each loop that is flat contributes one to N.  This is fitted by least
@@ -31,13 +31,15 @@ def flat_position(logarithm: Array) -> float | None:
 
     Parameters
     ----------
-    logarithm : ndarray (13,)
-        Logarithms of the size of the determinant at the stages and the end, to base two.
+    logarithm : ndarray (count,)
+        Logarithms of the size of the determinant, to base two.
+    times : ndarray (count,)
+        Where they are, relative to the step; by default at the stages of DOP853 and the end.
     """
     if not np.isfinite(logarithm).all() or np.ptp(logarithm) < DIP:
         return None
     used = np.arange(logarithm.size) != np.argmin(logarithm)
-    times, logarithm = TIMES[used], logarithm[used]
+    times, logarithm = times[used], logarithm[used]
     tried = (np.arange(GRID) + 0.5) * (BEYOND / GRID)
     columns = np.empty((GRID, times.size, 3))
     columns[:, :, 0], columns[:, :, 1] = 1.0, times

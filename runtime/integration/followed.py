@@ -13,11 +13,11 @@ from flexel.base.errors import PositionError
 from flexel.integration.driver import DenseRun
 from flexel.integration.events import Event
 from flexel.integration.outcome import Segment
-from flexel.mechanics.core import Core
 from flexel.mechanics.states import located
-from flexel.structure.moment import Moment
-from flexel.structure.state import State
-from flexel.structure.structure import Structure
+from flexel.model.snapshot import Snapshot
+from flexel.model.state import State
+from flexel.model.structure import Structure
+from flexel.system import CoreSystem
 
 SHORTEST = 1e-6  # step, relative to the times, below which a position counts as unreachable
 TRAVEL = (
@@ -27,26 +27,28 @@ NOTHING: Array = np.zeros(0)
 
 
 def turning_weights(structure: Structure) -> Array:
-    """Weights (n,) that select the coordinates of orientations: one for Euler parameters, half for planar angles."""
+    """Return weights (n,) that select coordinates of orientations: 1 for Euler parameters, 1/2 for planar angles."""
     weight = {"-": 1.0, "rad": 0.5}
     return np.array([weight.get(unit, 0.0) for unit in structure.units[structure.m + structure.k :]])
 
 
 def longest_step(v: Array, a: Array, weights: Array) -> float:
-    """Time [s] in which an orientation changes by TRAVEL, at the current rates and accelerations."""
-    rate, change = (float(np.max(np.abs(z) * weights, initial=0.0)) for z in (v, a))
+    """Return the time [s] in which an orientation changes by TRAVEL, at the current rates and accelerations."""
+    rate, change = (float(np.max(np.abs(values) * weights, initial=0.0)) for values in (v, a))
     return 2 * TRAVEL / max(rate + float(np.sqrt(rate * rate + 2 * change * TRAVEL)), 1e-300)
 
 
 def _held(z: Array, t: float) -> Array:
-    """The dense output: a fully prescribed motion has no q or q_d', and its internal states are held."""
+    """Return the internal states as dense output: a fully prescribed motion has no q or q_d', and holds these."""
     return z
 
 
 class Followed(DenseRun):
     """One run of a fully prescribed motion; steps are halved until the position is found."""
 
-    def __init__(self, system: Core, start: State, times: Array, events: Sequence[Event]) -> None:
+    method = ""
+
+    def __init__(self, system: CoreSystem, start: State, times: Array, events: Sequence[Event]) -> None:
         super().__init__(system, start, times, events)
         self._weights = turning_weights(system.structure)
         self._step = np.inf
@@ -63,7 +65,7 @@ class Followed(DenseRun):
         self.z = z
 
     def advance(self) -> str | None:
-        """One step towards the next stored time."""
+        """Take one step towards the next stored time."""
         here = self.now
         until = min(self.until, self.stop)
         self._step = min(self._step, until - here.t, longest_step(here.v, self._a, self._weights))
@@ -77,8 +79,8 @@ class Followed(DenseRun):
                 self._step /= 2
                 if self._step < SHORTEST * self._span:
                     raise
-        work = self._kinematics.evaluation.at(t, x, v, near=e)
-        there = Moment(t, x, v, e, work.w[: e.size].copy())
+        work = self._kinematics.evaluation.at(t, x, v, unwrap_from=e)
+        there = Snapshot(t, x, v, e, work.w[: e.size].copy())
         self._a = (v - here.v) / (t - here.t)
         arrived = t >= until
         segment = Segment(here.t, t, self._kinematics, self._kinematics, partial(_held, self.z), here, there)

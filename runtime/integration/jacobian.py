@@ -8,11 +8,11 @@ from flexel.base.arrays import Array
 from flexel.mechanics import dynamics
 from flexel.mechanics.kinematics import Kinematics
 from flexel.mechanics.linearize import linearize
-from flexel.structure.moment import Moment
+from flexel.model.snapshot import Snapshot
 
 
-def jacobian(kinematics: Kinematics, now: Moment, z: Array) -> Array:
-    """Derivatives (ny, ny) of the rates of y = (q_d, q_k, q_d', z) by y, from the linearization.
+def jacobian(kinematics: Kinematics, now: Snapshot, z: Array) -> Array:
+    """Compute the derivatives (ny, ny) of the rates of y = (q_d, q_k, q_d', z) by y, from the linearization.
 
     Raises
     ------

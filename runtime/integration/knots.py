@@ -1,4 +1,4 @@
-"""Knots of prescribed motions and loads: times at which they are not smooth, where every step ends.
+"""Knots of prescribed motions, loads and laws: times at which they are not smooth, where every step ends.
 
 Within a step they are evaluated strictly between two knots, so that a jump is never seen from the wrong side.  At a
 knot, forces that jump change the accelerations, and prescribed rates that jump change the rates by an impulse.
@@ -6,16 +6,40 @@ knot, forces that jump change the accelerations, and prescribed rates that jump 
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError
 from flexel.base.time_functions import TimeFunction, next_knot, on_knot
-from flexel.mechanics.core import Core
+from flexel.system import CoreSystem
 
 ASIDE = 1e-14  # distance from a knot at which a function is evaluated, relative to the times
 JUMP = 1e-9  # relative change across a knot that counts as a jump
 SMOOTH, FORCES, RATES = "smooth", "forces", "rates"  # what jumps at a knot
+
+
+@dataclass(frozen=True)
+class LawKnots:
+    """The knots of a law: its stress is continuous there.
+
+    Attributes
+    ----------
+    times : ndarray
+        [s], rising.
+    """
+
+    times: Array
+
+    def next_knot(self, t: float) -> float:
+        """Return the first knot after time t [s]; infinite if there is none."""
+        later = self.times[self.times > t]
+        return float(later[0]) if later.size else np.inf
+
+    def on_knot(self, t: float, within: float) -> bool:
+        """Whether there is a knot within a given time [s] of t."""
+        return bool((np.abs(self.times - t) <= within).any())
 
 
 class Knots:
@@ -23,7 +47,7 @@ class Knots:
 
     Parameters
     ----------
-    system : Core
+    system : CoreSystem
     begin, end : float
         Times of the motion [s].
 
@@ -33,17 +57,21 @@ class Knots:
         The next knot [s]; infinite if there is none.
     """
 
-    def __init__(self, system: Core, begin: float, end: float) -> None:
+    def __init__(self, system: CoreSystem, begin: float, end: float) -> None:
         self._names = [system.structure.names[i] for i in system.roles.prescribed]
         self._motions, self._loads = system.roles.motions, system.loads.functions
-        self._functions = [f for f in (*self._motions, *self._loads) if hasattr(f, "next_knot")]
+        laws = [LawKnots(np.array(law.knots)) for law in system.structure.laws if law.knots]
+        self._functions: list[object] = [
+            *(f for f in (*self._motions, *self._loads) if hasattr(f, "next_knot")),
+            *laws,
+        ]
         self._size = max(abs(begin), abs(end))
         self._least, self.end = -np.inf, np.inf
         if any(on_knot(f, begin, self._aside(begin)) for f in self._functions):
             self._least = begin + self._aside(begin)
 
     def _aside(self, t: float) -> float:
-        """Distance [s] from a knot at which functions are evaluated."""
+        """Return the distance [s] from a knot at which functions are evaluated."""
         return ASIDE * max(abs(t), self._size)
 
     @property
@@ -52,7 +80,7 @@ class Knots:
         return bool(self._functions)
 
     def inside(self, t: float) -> float:
-        """The time, or one just inside the present interval between knots if it is at its end or beyond."""
+        """Return the time, or one just inside the present interval between knots if it is at its end or beyond."""
         later = max(t, self._least)
         return later if self.end == np.inf else min(later, self.end - self._aside(self.end))
 
@@ -62,7 +90,7 @@ class Knots:
         self.end = min(next_knot(f, t) for f in self._functions)
 
     def cross(self, t: float) -> str:
-        """Enter the interval after the knot at t; what jumps there.
+        """Enter the interval after the knot at t; return what jumps there.
 
         Raises
         ------

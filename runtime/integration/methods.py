@@ -17,19 +17,20 @@ from flexel.integration.events import Event
 from flexel.integration.excitation import followed
 from flexel.integration.explicit import METHODS, Scipy
 from flexel.integration.followed import Followed
-from flexel.integration.minimal import Tolerances
+from flexel.integration.minimal import MINOR, Tolerances
 from flexel.integration.radau import Radau
+from flexel.integration.radau_saddle import sparse
 from flexel.integration.steps import Control, GeneralizedAlpha
-from flexel.integration.stiffness import ALPHA, EXPLICIT, RADAU, Suitable, smooth, stiff, suitable
+from flexel.integration.stiffness import ALPHA, EXPLICIT, RADAU, Suitable, few, smooth, stiff, suitable
 from flexel.integration.sundials import Sundials
-from flexel.integration.trial import evaluations
-from flexel.mechanics.core import Core
+from flexel.integration.trial import explicit_evaluations, implicit_evaluations
+from flexel.mechanics.amplification import amplification, lost
 from flexel.mechanics.inertia import InertiaError
-from flexel.mechanics.reach import lost, reach
-from flexel.structure.callbacks import Callback
-from flexel.structure.moment import Moment
-from flexel.structure.state import State, own_state
-from flexel.structure.structure import Structure
+from flexel.model.callbacks import callbacks_of
+from flexel.model.snapshot import Snapshot
+from flexel.model.state import State, own_state
+from flexel.model.structure import Structure
+from flexel.system import CoreSystem
 
 AUTO, SUNDIALS = "auto", "sundials"
 WATCHED = (EXPLICIT, "RK45")  # methods whose steps become short where a system is stiff
@@ -49,6 +50,7 @@ PER_RADIAN, ORDER = (
 LINEAR = (
     17.0  # degrees of freedom for which the linear algebra of a step of Radau costs as much as one evaluation
 )
+SPARSE = 6.0  # the same with sparse factors, in evaluations: 4 to 8 whatever the size
 FEW = 300.0  # radians of the fastest mode that DOP853 follows in no time
 TRIAL = 0.05  # of the cost of DOP853, that a trial of Radau may take: motions may begin with a transient
 MOST = 20_000  # evaluations that it may take
@@ -74,14 +76,15 @@ class Options:
     max_order: Any = None
     events: tuple[Event, ...] | None = None
     rechoose: bool | None = None
+    minor: float | None = None  # of Radau, see `Tolerances`; only "auto" sets it
 
     def number(self, name: str, default: float, least: float = 0.0) -> float:
-        """A positive option, or a ModelError."""
+        """Return a positive option, or raise a ModelError."""
         given = getattr(self, name)
         return default if given is None else step_limit(given, "simulate", name, least)
 
     def with_first(self, step: float | None) -> Options:
-        """The same with another first step, to continue from a state; constant steps stay as they are."""
+        """Copy with another first step, to continue from a state; constant steps stay as they are."""
         return self if self.step is not None else replace(self, first_step=step)
 
     @property
@@ -103,7 +106,7 @@ def check(method: Any, options: Options) -> None:
     given = [name for name, value in vars(options).items() if value is not None]
     for name in given:
         if name not in OPTIONS[method]:
-            having = [z for z in OPTIONS if name in OPTIONS[z]]
+            having = [other for other in OPTIONS if name in OPTIONS[other]]
             raise ModelError(
                 f"simulate: {name} is not an option of method '{method}'; choose a method that has it: "
                 f"{', '.join(having)}"
@@ -115,8 +118,8 @@ def check(method: Any, options: Options) -> None:
         )
 
 
-def start_of(system: Core, method: str, start: Any, options: Options) -> State:
-    """The state that a motion starts from; implicit methods need no accelerations."""
+def start_of(system: CoreSystem, method: str, start: Any, options: Options) -> State:
+    """Return the state that a motion starts from; implicit methods need no accelerations."""
     if start is not None:
         return own_state(system.structure, start, "simulate")
     try:
@@ -127,8 +130,12 @@ def start_of(system: Core, method: str, start: Any, options: Options) -> State:
         return system.unaccelerated
 
 
-def automatic(system: Core, start: State, duration: float, options: Options) -> tuple[str, str, Options]:
-    """The appropriate method for a motion, why, and the options with the tolerance that it is chosen for."""
+def automatic(
+    system: CoreSystem, start: State, duration: float, options: Options
+) -> tuple[str, str, Options]:
+    """Choose the method for a motion; return it, the reason, and the options with the tolerance chosen for it."""
+    if system.roles.actuated and system.roles.nq:
+        return EXPLICIT, f"{EXPLICIT}, chosen because actuators hold a path", options
     if system.roles.nq == 0:
         alone = "only internal states are integrated" if _has_rates(system.structure) else "not integrated"
         return EXPLICIT, f"{alone}: every motion is prescribed", options
@@ -140,49 +147,65 @@ def automatic(system: Core, start: State, duration: float, options: Options) -> 
         return _because(EXPLICIT, f"events are given, which {ALPHA} does not locate", options)
     if found.method:
         return _because(found.method, found.why, options)
-    is_stiff, why = stiff(system, start, found, duration)
-    if float(found.rates.max(initial=0.0)) * duration > FEW and smooth(system):
-        some = _radau(system, start, found, duration, options, is_stiff)
+    is_stiff, why = (True, found.why) if found.is_large else stiff(system, start, found, duration)
+    suits = few(system) if is_stiff else smooth(system)
+    if is_stiff and suits and callbacks_of(start.structure.laws):  # a trial would call them too
+        loosest = _ways(options, True)[-1][0]
+        return _because(RADAU, f"laws call functions, which are not tried; {why}", loosest)
+    if (found.is_large or float(found.rates.max(initial=0.0)) * duration > FEW) and suits:
+        count, some = _cheapest(system, start, found, duration, options, is_stiff)
         if some is not None:
             return _because(
                 RADAU, f"it takes fewer evaluations than {EXPLICIT} at rtol = {_rtol(some):g}; {why}", some
+            )
+        if np.isfinite(count):
+            return _because(
+                EXPLICIT, f"{why}; {RADAU} would not take fewer evaluations" * is_stiff or why, options
             )
     if is_stiff and not options.events:
         return _because(ALPHA, why, options)
     return _because(EXPLICIT, why, options)
 
 
-def _radau(
-    system: Core, start: State, found: Suitable, duration: float, options: Options, is_stiff: bool
-) -> Options | None:
-    """The options with which Radau takes fewer evaluations than DOP853; None if it takes as many."""
-    times = np.array([start.t, start.t + duration])
-    explicit = evaluations(Dop853(system, start, times, _tolerances(system, options), (), True), 0.0)
-    must = followed(system, start, found.matrix, duration)
+def _ways(options: Options, is_stiff: bool) -> list[tuple[Options, float]]:
+    """Return options of Radau, the most accurate first, and by what factor each must need fewer evaluations.
+
+    In stiff motions it may ignore vibrations that are small beside the largest motion, and take a looser tolerance if
+    none is given.
+    """
+    if not is_stiff:
+        return [(options, CHEAPER)]
     loose = options if options.rtol is not None else replace(options, rtol=IMPLICIT_RTOL)
-    for some, factor in [(options, CHEAPER), *([(loose, 1.0)] if is_stiff else [])]:
+    every = [(options, CHEAPER), (replace(options, minor=1.0), CHEAPER), (loose, 1.0)]
+    return [*every, (replace(loose, minor=1.0), 1.0)]
+
+
+def _cheapest(
+    system: CoreSystem, start: State, found: Suitable, duration: float, options: Options, is_stiff: bool
+) -> tuple[float, Options | None]:
+    """Return the evaluations of DOP853, and the options with which Radau takes fewer; None if it takes as many."""
+    times = np.array([start.t, start.t + duration])
+    explicit = explicit_evaluations(Dop853(system, start, times, _tolerances(system, options), (), True))
+    must = 0.0 if found.is_large else followed(system, start, found.matrix, duration)
+    more = SPARSE if sparse(system.kinematics) else system.roles.nd / LINEAR
+    for some, factor in _ways(options, is_stiff):
         tolerances = _tolerances(system, some)
         least = must * PER_RADIAN * (IMPLICIT_RTOL / tolerances.rtol) ** (1 / ORDER)
         if least * factor >= explicit:
             continue
         run = Radau(system, start, times, tolerances, (), True)
         budget = min(TRIAL * explicit, MOST)
-        if evaluations(run, system.roles.nd / LINEAR, budget) * factor < explicit:
-            return some
-    return None
+        if implicit_evaluations(run, more, budget, explicit / factor) * factor < explicit:
+            return explicit, some
+    return explicit, None
 
 
-def _calls(start: State) -> bool:
-    """Whether laws call code of the user, which may keep something from call to call."""
-    return any(isinstance(law.code, Callback) for law in start.structure.laws)
-
-
-def _soon(system: Core, start: State, duration: float) -> State:
-    """A state a few steps after the start; the start itself if there is none."""
-    if _calls(start):
+def _soon(system: CoreSystem, start: State, duration: float) -> State:
+    """Return a state a few steps after the start; the start itself if there is none."""
+    if callbacks_of(start.structure.laws):
         return start  # what it keeps would be that of a motion that is thrown away
     run = Dop853(
-        system, start, np.array([start.t, start.t + duration]), Tolerances(RTOL, ATOL, None, np.inf), (), True
+        system, start, np.array([start.t, start.t + duration]), _tolerances(system, Options()), (), True
     )
     try:
         run.begin()
@@ -197,12 +220,14 @@ def _because(method: str, why: str, options: Options) -> tuple[str, str, Options
     return method, f"{method}, chosen because {why}", options
 
 
-def run_of(system: Core, method: str, start: State, times: Array, duration: float, options: Options) -> Run:
-    """A run of a method.
+def run_of(
+    system: CoreSystem, method: str, start: State, times: Array, duration: float, options: Options
+) -> Run:
+    """Create a run of a method.
 
     Parameters
     ----------
-    system : Core
+    system : CoreSystem
     method : str
         Any but auto.
     start : State
@@ -228,10 +253,15 @@ def run_of(system: Core, method: str, start: State, times: Array, duration: floa
     return Scipy(system, own, times, method, tolerances, events, rechoose)
 
 
-def _tolerances(system: Core, options: Options) -> Tolerances:
-    """Those of a method in minimal coordinates."""
+def _tolerances(system: CoreSystem, options: Options) -> Tolerances:
+    """Return the tolerances of a method in minimal coordinates."""
     return Tolerances(
-        _rtol(options), _atol(system, options), options.first, options.number("max_step", np.inf)
+        _rtol(options),
+        _atol(system, options),
+        options.first,
+        options.number("max_step", np.inf),
+        options.atol is None,
+        MINOR if options.minor is None else options.minor,
     )
 
 
@@ -241,12 +271,12 @@ def _rtol(options: Options) -> float:
 
 def _has_rates(structure: Structure) -> bool:
     """Whether internal states change with time; those of sampled controllers only jump."""
-    outputs = (z for law in structure.laws for z in law.spec.kernels["law"].outputs)
-    return any(z.name == "zd" and z.nonzeros for z in outputs)
+    outputs = (output for law in structure.laws for output in law.spec.kernels["law"].outputs)
+    return any(output.name == "zd" and output.nonzeros for output in outputs)
 
 
-def _atol(system: Core, options: Options) -> float | Array:
-    """The absolute tolerance in natural scales, one for all variables or one for each."""
+def _atol(system: CoreSystem, options: Options) -> float | Array:
+    """Return the absolute tolerance in natural scales, one for all variables or one for each."""
     if not isinstance(options.atol, Iterable):
         return options.number("atol", ATOL, LEAST_ATOL)
     size = system.roles.nq + system.roles.nd + system.structure.nz
@@ -260,19 +290,19 @@ def _atol(system: Core, options: Options) -> float | Array:
     return given
 
 
-def _in_own_roles(system: Core, start: State) -> State:
-    """The start in the system's degrees of freedom, or in its own if these are much better."""
+def _in_own_roles(system: CoreSystem, start: State) -> State:
+    """Return the start in the system's degrees of freedom, or in its own if these are much better."""
     if start.roles is system.roles:
         return start
-    near = Moment.of(start)
-    theirs = reach(system.kinematics_of(start.roles), near)
-    if reach(system.kinematics, near) <= lost(system.roles) * max(theirs, 1.0):
+    here = Snapshot.of(start)
+    theirs = amplification(system.kinematics_of(start.roles), here)
+    if amplification(system.kinematics, here) <= lost(system.roles) * max(theirs, 1.0):
         return system.state(start.t, start.x, start.v, start.e, start.z)
     return start  # the chosen ones are singular at this state
 
 
-def _alpha(system: Core, start: State, times: Array, duration: float, options: Options) -> Run:
-    """A run of the generalized-alpha method."""
+def _alpha(system: CoreSystem, start: State, times: Array, duration: float, options: Options) -> Run:
+    """Create a run of the generalized-alpha method."""
     if options.step is not None:
         step = options.number("step", 0.0)
         control = Control(np.inf, step, step)
@@ -284,8 +314,8 @@ def _alpha(system: Core, start: State, times: Array, duration: float, options: O
     return GeneralizedAlpha(system, start, times, radius, options.newton or NEWTON, control)
 
 
-def _sundials(system: Core, start: State, times: Array, duration: float, options: Options) -> Run:
-    """A run of IDA."""
+def _sundials(system: CoreSystem, start: State, times: Array, duration: float, options: Options) -> Run:
+    """Create a run of IDA."""
     order = MAX_ORDER if options.max_order is None else options.max_order
     if order not in range(1, 6):
         raise ModelError(f"simulate: max_order {order!r} of sundials; give a whole number from 1 to 5")

@@ -16,21 +16,36 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError, FlexelError
+from flexel.engine.coordinate_work import CoordinateWork
+from flexel.engine.covered import Covered
+from flexel.integration.account import Account, Quadrature
+from flexel.integration.across import Crossing
 from flexel.integration.branch import WORSE, Choices
+from flexel.integration.carried import Carried
+from flexel.integration.dips import Dips
 from flexel.integration.driver import DenseRun
 from flexel.integration.events import Event
-from flexel.integration.outcome import Integration, Segment
+from flexel.integration.imbalance import AT_REST, ROUNDING, STEPS, Imbalance, explained
+from flexel.integration.outcome import Integration, Pending, Segment
+from flexel.mechanics.amplification import amplification, lost
 from flexel.mechanics.kinematics import Kinematics
-from flexel.mechanics.reach import lost, reach
-from flexel.structure.moment import Moment
-from flexel.structure.state import State
+from flexel.model.snapshot import Snapshot
+from flexel.model.state import State
+from flexel.model.structure import Structure
 
 log = logging.getLogger("flexel.simulate")
 SHORTEST = 1e-11  # step, relative to the times, below which the integration stops
-EXTREME = (
-    10.0  # reach of kept degrees of freedom, relative to the best, that counts as the cause of an early end
-)
-SINGULAR = 1e6  # reach of the best choice above which the position is singular
+EXTREME = 10.0  # amplification of kept degrees of freedom, relative to the best, that explains an early end
+STILL, LOOKS = (
+    1e-14,
+    20,
+)  # rates, in natural scales, that are rounding errors, and states that are looked at for them
+LONGEST_PAUSE = 1024  # steps without another trial to cross a flat position
+MINOR = 1e-4  # of the largest degrees of freedom and rates: what is smaller does not determine steps
+PROMISED = 10.0  # tolerances that rounding errors of coordinates may have without a warning
+FAR = 10.0  # distance from the origin, in natural scales, to which rounding errors are attributed
+SINGULAR = 1e6  # amplification of the best choice above which the position is singular
+RESOLUTION = 5e-16  # error of coordinates, relative to their size or natural scale, that shortens no step
 
 
 @dataclass(frozen=True)
@@ -43,14 +58,20 @@ class Tolerances:
         Local error relative to y = (q, q_d', z).
     atol : float or ndarray (ny,)
         Local error in the natural scales of y.
+    relative : bool
+        Whether both are relative to the size of the motion, where that is less than the machine's.
     first_step, max_step : float
         Steps [s]; by default the integrator chooses the first.
+    minor : float
+        Of Radau: degrees of freedom and rates, relative to the largest ones in natural scales, that count as zero.
     """
 
     rtol: float
     atol: float | Array
     first_step: float | None = None
     max_step: float = np.inf
+    relative: bool = False
+    minor: float = MINOR
 
 
 class MinimalRun(DenseRun):
@@ -58,7 +79,7 @@ class MinimalRun(DenseRun):
 
     Parameters
     ----------
-    system : Core
+    system : CoreSystem
     start : State
     times : ndarray
         At which states are kept.
@@ -67,6 +88,8 @@ class MinimalRun(DenseRun):
     rechoose : bool
         Change the degrees of freedom where others are much better.
     """
+
+    quadrature: Quadrature
 
     def __init__(
         self,
@@ -81,8 +104,29 @@ class MinimalRun(DenseRun):
         self.tolerances = tolerances
         self.largest_atol = float(np.max(tolerances.atol))
         self.choices = Choices(system, system.kinematics_of(start.roles), rechoose)
-        self.counts = {"steps": 0, "rejected": 0, "evaluations": 0, "rechoices": 0, "bifurcations": 0}
-        self.reached = 1.0
+        self.counts = {
+            "steps": 0,
+            "rejected": 0,
+            "evaluations": 0,
+            "rechoices": 0,
+            "bifurcations": 0,
+            "carried": 0,
+        }
+        self.amplification = 1.0
+        self.account = Account(self.quadrature)
+        self.dips = Dips()
+        self._pause, self._next_crossing = 1, 0  # steps
+        self.covered = self._scale()
+
+    def _scale(self) -> Covered:
+        """What the motion covers: the scale of its tolerances."""
+        given = self.tolerances
+        return Covered(*self._sizes, given.rtol, self.largest_atol, RESOLUTION, given.relative)
+
+    @property
+    def _sizes(self) -> tuple[Structure, Array]:
+        """The structure, and one over natural scales of its free coordinates."""
+        return self.system.structure, self.kinematics.lists.step_weight
 
     @property
     def statistics(self) -> dict[str, int]:
@@ -96,21 +140,35 @@ class MinimalRun(DenseRun):
 
     def begin(self) -> None:
         """Change to better degrees of freedom at the start if the given ones are poor there."""
-        self.reached = self.choices.reach(self.now)
+        self.amplification = self.choices.amplification(self.now)
         self.consider(WORSE)
         self.restart()
+        self.account.note(self.t)
 
     @abstractmethod
     def restart(self) -> None:
         """Restart from the present position in the present degrees of freedom."""
+
+    @property
+    @abstractmethod
+    def placed(self) -> CoordinateWork:
+        """The arrays that hold the position at the end of the step that was found last."""
+
+    @abstractmethod
+    def restart_with(self, h: float) -> None:
+        """Restart with a step [s] to try first."""
 
     def strike(self) -> None:
         """Continue from here with the rates just after an impulse."""
         super().strike()
         self.restart()
 
+    def take(self) -> None:
+        """Take the present instant into what the motion has covered."""
+        self.covered.take(self.kinematics.evaluation.work, self.now.x, self.now.v, self.z)
+
     def natural_atol(self) -> Array:
-        """Absolute tolerances of y."""
+        """Return the absolute tolerances of y."""
         return np.asarray(self.tolerances.atol * natural_scales_of_y(self.kinematics))
 
     def consider(self, factor: float) -> bool:
@@ -122,43 +180,54 @@ class MinimalRun(DenseRun):
             If they may not change, and are no longer usable; names them.
         """
         choices = self.choices
-        if self.reached <= factor * choices.share * max(1.0, min(choices.best, SINGULAR)):
-            return False  # the reach of any choice is about one or more
-        other = choices.worse(self.now, self.reached, factor)
+        if self.amplification <= factor * choices.share * max(1.0, min(choices.best, SINGULAR)):
+            return False  # the amplification of any choice is about one or more
+        other = choices.worse(self.now, self.amplification, factor)
         if other is None:
             return False
         if not choices.free:
-            if self.reached > lost(self.kinematics.roles) * choices.best:
+            if self.amplification > lost(self.kinematics.roles) * choices.best:
                 raise self.lost()
             return False  # shorter steps may still succeed
         before = choices.names
         choices.change(other, self.t)
         log.info("t = %.9g s: degrees of freedom %s instead of %s", self.t, choices.names, before)
         self.counts["rechoices"] += 1
-        self.reached = choices.best
+        self.amplification = choices.best
         return True
 
     def lost(self) -> DynamicsError:
-        """The error of degrees of freedom that can no longer describe the motion and may not change."""
+        """Return the error of degrees of freedom that can no longer describe the motion and may not change."""
         return DynamicsError(
             f"the degrees of freedom {self.kinematics.names(self.kinematics.roles.dofs)} cannot describe the "
             f"motion beyond "
-            f"t = {self.t:g} s (the coordinates change {self.reached:.2g} times as much as they do, "
+            f"t = {self.t:g} s (the coordinates change {self.amplification:.2g} times as much as they do, "
             f"{self.choices.best:.2g} "
             "with the best choice): one of them has reached its extreme; leave rechoose=False out, or name others with "
             "system.use_coordinates"
         )
 
     def shown(self) -> Kinematics:
-        """The degrees of freedom in which states are given: the user's, where these are usable."""
+        """Return the degrees of freedom in which states are given: the user's, where these are usable."""
         choices = self.choices
         if choices.kinematics is choices.own:
             return choices.own
-        own = reach(choices.own, self.now)
-        return choices.own if own <= lost(choices.own.roles) * max(self.reached, 1.0) else choices.kinematics
+        own = amplification(choices.own, self.now)
+        return (
+            choices.own
+            if own <= lost(choices.own.roles) * max(self.amplification, 1.0)
+            else choices.kinematics
+        )
 
-    def end_step(self, t0: float, dense: Any, first: Moment, z: Array, last: Moment) -> str | None:
-        """Store an accepted step, and consider other degrees of freedom at its end."""
+    def end_step(self, t0: float, dense: Any, first: Snapshot, z: Array, last: Snapshot) -> str | None:
+        """Store an accepted step, and consider other degrees of freedom at its end.
+
+        A step that has passed a flat position is replaced by those of `across`, if there are any.
+        """
+        flat = self.dips.passed(self.kinematics, first, last, self.placed)
+        if flat is not None and (steps := self.across(flat)):
+            return self.carry(steps)
+        self.account.note(last.t)
         segment = Segment(t0, last.t, self.kinematics, self._shown, dense, first, last)
         self.counts["steps"] += 1
         ended = self.accept(segment, z)
@@ -168,8 +237,138 @@ class MinimalRun(DenseRun):
             self._shown = self.shown()
         return ended
 
+    def across(self, flat: float) -> list[Carried]:
+        """Carry the motion across a flat position near a time [s]; return no steps if that is impossible.
+
+        After each failure in a row it is tried after twice as many steps.
+        """
+        if self.counts["steps"] < self._next_crossing:
+            return []
+        crossing = Crossing(
+            self.result.segments,
+            self.now,
+            self.z,
+            self.smooth_since,
+            self.stop,
+            self.kinematics,
+            self._shown,
+            self.knots,
+            self.tolerances.rtol + self.largest_atol,
+        )
+        found = crossing.steps(flat)
+        self._pause = 1 if found else min(2 * self._pause, LONGEST_PAUSE)
+        self._next_crossing = 0 if found else self.counts["steps"] + self._pause
+        self.counts["evaluations"] += crossing.evaluations
+        return found
+
+    def carry(self, steps: list[Carried]) -> str | None:
+        """Take steps across a flat position, and continue on the other side; returns a message as `advance` does.
+
+        Steps that came too close to it are dropped.
+        """
+        self.counts["carried"] += 1
+        log.info("t = %.9g s: carried across a flat position at %.9g s", steps[-1].t1, steps[0].flat)
+        begun = self.account.back(steps[0].t0)
+        self.dips.back(steps[0].path.t0)
+        if steps[0].t0 < self.t:
+            self.rewind(steps[0].first, steps[0].path.at(steps[0].t0)[2])
+        for step in steps:
+            ended = self.accept(step, step.path.at(step.t1)[2])
+            if ended is not None:
+                break
+        self._balance_of(steps[0], begun)
+        if ended is not None:
+            return ended
+        if steps[0].kinematics is not self.kinematics:
+            self.choices.change(steps[0].kinematics, self.t)
+            self.counts["rechoices"] += 1
+        self.amplification = self.choices.amplification(self.now)
+        self.consider(WORSE)
+        self.restart_with(steps[-1].t1 - steps[-1].t0)
+        if self.choices.changes:
+            self._shown = self.shown()
+        return None
+
+    def _balance_of(self, step: Carried, begun: float) -> None:
+        """Take the energies of a path into the account, which goes up to a time [s], from then up to now."""
+        now = self.now
+        work = self.kinematics.evaluation.at(now.t, now.x, now.v, np.zeros_like(now.v), self.z, now.e)
+        work.laws()
+        work.inertia()
+        self.account.carry(work, now.t - begun, *step.path.exchanged(begun, now.t))
+        self.account.note(now.t)
+
+    def carry_or_stop(self, error: FlexelError) -> str | None:
+        """Carry the motion across a flat position that is the cause of its short steps, or raise the error."""
+        self._next_crossing = 0
+        steps = self.across(self.t)
+        if not steps:
+            raise self.gives_up(error) from None
+        return self.carry(steps)
+
+    def imbalance(self) -> Imbalance:
+        """Return the error of the energy balance, and how much tolerance, steps, rounding and doubt explain."""
+        c, given, steps = self.account.struct, self.tolerances, self.counts["steps"]
+        moved = max(c.fastest, c.through)
+        sizes = moved + c.largest
+        finest = self.covered.finest if given.relative else 0.0
+        promised = explained(max(given.rtol, self.largest_atol, finest), steps) * moved
+        allowed = promised + c.doubt + ROUNDING * max(steps, STEPS) ** 0.5 * sizes
+        moves = moved > AT_REST * sizes and self._moves
+        when = float(self.times[0]) + c.when
+        return Imbalance(c.farthest if moves else 0.0, moved if moves else 0.0, allowed, when)
+
+    def dangers(self) -> list[str]:
+        """Describe rounding errors, and positions that are nearly singular at the ends of steps."""
+        return [*self._rounded(), *self._singular()]
+
+    def _rounded(self) -> list[str]:
+        """Describe where coordinates are rounded to more than the tolerance asks for."""
+        covered, given = self.covered, self.tolerances
+        of_step = covered.finest_of_step(self.t - float(self.times[0]), self.counts["steps"])
+        far, most = covered.farthest > FAR, PROMISED * given.rtol
+        rounded = covered.finest if far else of_step
+        if not given.relative or rounded <= most or not self.imbalance().moved:
+            return []
+        if far:
+            return [
+                f"far from the origin, coordinates are rounded to {rounded:.1g} of the largest range in this motion, "
+                f"and cannot be known to rtol = {given.rtol:g}: place the model near the origin"
+            ]
+        return [
+            f"this motion is small beside the model: coordinates are rounded to {rounded:.1g} of what the fastest one "
+            f"moves in a step, and rates cannot be known to rtol = {given.rtol:g}: scale the motion up if it is "
+            "linear, or ask for a larger rtol"
+        ]
+
+    def _singular(self) -> list[str]:
+        """Describe positions that are nearly singular, at the ends of steps."""
+        if not self.dips.close:
+            return []
+        t, worst = max(self.dips.close, key=lambda pair: pair[1])
+        return [
+            f"the position is nearly singular at t = {t:.6g} s: coordinates change {worst:.1g} times as much as what "
+            "holds them, so that forces lose digits, and the branch of the motion may depend on rounding: give the "
+            "parts that line up there dimensions with which they do so exactly, or clearly not, or end it before"
+        ]
+
+    @property
+    def _moves(self) -> bool:
+        """Whether rates are more than rounding errors, at the end or at some of the stored states."""
+        if self._is_moving(self.now.v):
+            return True
+        some = self.result.states.some(np.linspace(1, 0, LOOKS).tolist())
+        return any(
+            self._is_moving(state.moment.v if isinstance(state, Pending) else state.v) for state in some
+        )
+
+    def _is_moving(self, v: Array) -> bool:
+        """Whether rates are more than rounding errors."""
+        weight = self.kinematics.lists.step_weight
+        return bool((np.abs(v[: weight.size]) * weight).max(initial=0.0) > STILL)
+
     def trouble(self, why: str) -> str:
-        """What may be wrong where the integration cannot continue."""
+        """Explain what may be wrong where the integration cannot continue."""
         names, roles = self.kinematics.names, self.kinematics.roles
         driven = f", check what drives {names(roles.prescribed)}" if roles.prescribed.size else ""
         self.choices.worse(self.now, np.inf, 1.0)
@@ -185,23 +384,23 @@ class MinimalRun(DenseRun):
         )
 
     def gives_up(self, error: FlexelError) -> FlexelError:
-        """The error of a motion whose steps have become too short: that of kept coordinates, if others would work."""
-        self.reached = self.choices.reach(self.now)
-        if not self.choices.free and self.choices.worse(self.now, self.reached, EXTREME) is not None:
+        """Return the error of a motion whose steps are too short: that of kept coordinates, if others would work."""
+        self.amplification = self.choices.amplification(self.now)
+        if not self.choices.free and self.choices.worse(self.now, self.amplification, EXTREME) is not None:
             error = self.lost()
         return self.noted(error)
 
     def noted(self, error: FlexelError) -> FlexelError:
-        """The error, with the time up to which the motion was computed."""
+        """Return the error, with the time up to which the motion was computed."""
         error.add_note(f"the motion was computed up to t = {self.t:g} s")
         return error
 
     def kept(self, message: str) -> Integration:
-        """The results so far, with the changes of the degrees of freedom."""
+        """Return the results so far, with the changes of the degrees of freedom."""
         return replace(super().kept(message), rechoices=self.choices.changes)
 
 
 def natural_scales_of_y(kinematics: Kinematics) -> Array:
-    """Natural scales of y = (q, q_d', z): those of rates are per second, those of internal states of laws one."""
+    """Return natural scales of y = (q, q_d', z): those of rates are per second, those of internal states one."""
     roles, scales = kinematics.roles, kinematics.scales
     return np.concatenate([scales(roles.dofs), scales(roles.dynamic), np.ones(kinematics.structure.nz)])

@@ -16,9 +16,9 @@ from flexel.base.errors import ModelError
 from flexel.mechanics import dynamics
 from flexel.mechanics.kinematics import Kinematics
 from flexel.mechanics.states import between, located
-from flexel.structure.moment import Moment
-from flexel.structure.state import State
-from flexel.structure.structure import Structure
+from flexel.model.snapshot import Snapshot
+from flexel.model.state import State
+from flexel.model.structure import Structure
 
 
 @dataclass(frozen=True)
@@ -29,14 +29,14 @@ class Pending:
     ----------
     kinematics : Kinematics
         The degrees of freedom in which it is completed.
-    moment : Moment
+    moment : Snapshot
         Coordinates, rates and deformations with their turns.
     z : ndarray (nz,)
         Internal states of laws.
     """
 
     kinematics: Kinematics
-    moment: Moment
+    moment: Snapshot
     z: Array
 
     @property
@@ -45,7 +45,7 @@ class Pending:
         return self.moment.t
 
     def state(self) -> State:
-        """The complete state."""
+        """Return the complete state."""
         at = self.moment
         return dynamics.complete(self.kinematics, at.t, at.x, at.v, at.e, self.z)
 
@@ -67,21 +67,21 @@ class Segment:
     kinematics: Kinematics
     shown: Kinematics
     dense: Any
-    first: Moment
-    last: Moment
+    first: Snapshot
+    last: Snapshot
 
     def pending(self, t: float) -> Pending:
-        """The state at a time within the step."""
+        """Return the state at a time within the step, not yet completed."""
         y, nq, nd = self.dense(t), self.kinematics.roles.nq, self.kinematics.roles.nd
         q, qd, z = y[:nq], y[nq : nq + nd], y[nq + nd :]
         if t == self.last.t:
             return Pending(self.shown, self.last, z)
-        near = between(self.first, self.last, t)
-        x, v, e = located(self.kinematics, t, q, qd, near)
-        return Pending(self.shown, replace(near, t=t, x=x, v=v, e=e), z)
+        guess = between(self.first, self.last, t)
+        x, v, e = located(self.kinematics, t, q, qd, guess)
+        return Pending(self.shown, replace(guess, t=t, x=x, v=v, e=e), z)
 
     def state(self, t: float) -> State:
-        """Complete state at a time within the step."""
+        """Return the complete state at a time within the step."""
         return self.pending(t).state()
 
 
@@ -109,7 +109,7 @@ class States(Sequence[State]):
         self._entries.append(state)
 
     def copy(self) -> States:
-        """The same states in a list of its own."""
+        """Copy the list of states."""
         return States(self._entries)
 
     def cut(self, size: int) -> None:
@@ -117,11 +117,11 @@ class States(Sequence[State]):
         del self._entries[size:]
 
     def since(self, first: int) -> States:
-        """The states from that place on."""
+        """Return the states from that index on."""
         return States(self._entries[first:])
 
     def last(self) -> States:
-        """The last state, alone."""
+        """Return the last state, alone."""
         return States(self._entries[-1:])
 
     @property
@@ -135,6 +135,32 @@ class States(Sequence[State]):
         return np.array(
             [entry.moment.e if isinstance(entry, Pending) else entry.e for entry in self._entries]
         )
+
+    @property
+    def coordinates(self) -> Array:
+        """Coordinates (times, n); pending states are not completed for them."""
+        return np.array(
+            [entry.moment.x if isinstance(entry, Pending) else entry.x for entry in self._entries]
+        )
+
+    def moments(self, parts: Sequence[float]) -> list[tuple[Snapshot, Array]]:
+        """Return instants at parts of the list, with internal states; pending states are not completed for them."""
+        return [
+            (state.moment if isinstance(state, Pending) else Snapshot.of(state), state.z)
+            for state in self.some(parts)
+        ]
+
+    def some(self, parts: Sequence[float]) -> list[State | Pending]:
+        """Return the states at parts of the list, as they are."""
+        places = [round(part * (len(self._entries) - 1)) for part in parts]
+        return [self._entries[i] for i in dict.fromkeys(places)]
+
+    def complete_and(self, count: int) -> list[State | Pending]:
+        """Return all complete states, and about `count` at even distances, as they are."""
+        if len(self._entries) <= count:
+            return self._entries
+        places = {round(i * (len(self._entries) - 1) / (count - 1)) for i in range(count)}
+        return [entry for i, entry in enumerate(self._entries) if i in places or isinstance(entry, State)]
 
     @property
     def end(self) -> float:
@@ -168,10 +194,12 @@ class Integration:
     ----------
     rechoices : list of (float, tuple of str, tuple of str)
         Changes of the degrees of freedom: times [s], old and new names.
-    ledger : dict of str to list of float, optional
-        The energy ledger of an implicit integration at the stored times.
+    energy_terms : dict of str to list of float, optional
+        Terms of the energy balance of an implicit integration, at the stored times.
     warnings : list of str
-        What its method knows against the motion; each was issued as a Python warning.
+        What its method and the audit know against the motion; each was issued as a Python warning.
+    verdict : str
+        What the audit has found, in one line; empty for what was not audited.
     """
 
     states: States
@@ -179,65 +207,70 @@ class Integration:
     segments: list[Segment]
     statistics: dict[str, int]
     message: str
-    ledger: dict[str, list[float]] | None = None
+    energy_terms: dict[str, list[float]] | None = None
     rechoices: list[tuple[float, tuple[str, ...], tuple[str, ...]]] = field(default_factory=list)
     warnings: list[str] = field(default_factory=list)
+    verdict: str = ""
 
     @classmethod
     def of_equilibria(cls, states: Sequence[State], message: str) -> Integration:
-        """Equilibria in the order of their load parameter, without anything between them."""
+        """Return equilibria in the order of their load parameter, without anything between them."""
         counts = {"steps": len(states) - 1, "evaluations": 0, "rechoices": 0}
         return cls(States(states), [], [], counts, message)
 
     def copy(self) -> Integration:
-        """The same results in lists of their own."""
-        ledger = None if self.ledger is None else {name: list(z) for name, z in self.ledger.items()}
+        """Copy the results to separate lists."""
+        terms = self.energy_terms
         return replace(
             self,
             states=self.states.copy(),
             events=list(self.events),
             segments=list(self.segments),
-            ledger=ledger,
+            energy_terms=None if terms is None else {name: list(values) for name, values in terms.items()},
             rechoices=list(self.rechoices),
             warnings=list(self.warnings),
         )
 
-    def warn(self, text: str, category: type[Warning]) -> None:
-        """Note what is known against the motion, and issue it once as a Python warning."""
+    def warn(self, text: str, category: type[Warning], owner: str = "simulate: ") -> None:
+        """Record what is known against the motion, and issue it once as a Python warning, after the owner's name."""
         if text not in self.warnings:
             self.warnings.append(text)
-            warnings.warn(f"simulate: {text}", category, stacklevel=outside())
+            warnings.warn(owner + text, category, stacklevel=outside())
 
     def since(self, t: float) -> Integration:
-        """The same without the states before a time, such as a start that is not to be stored.
+        """Drop the states before a time, such as a start that is not to be stored.
 
-        The last state is kept at any rate.  The ledger keeps the energy with which the motion began, as "initial".
+        The last state is always kept.  `energy_terms` keeps the energy with which the motion began, as "initial".
         """
         first = min(int(np.searchsorted(self.states.times, t)), len(self.states) - 1)
         if first <= 0:
             return self
-        kept = {name: column[first:] for name, column in (self.ledger or {}).items()}
-        if self.ledger is not None:
-            surplus = self.states[0].energy.total + self.ledger["dissipated"][0] - self.ledger["work"][0]
+        kept = {name: column[first:] for name, column in (self.energy_terms or {}).items()}
+        if self.energy_terms is not None:
+            surplus = (
+                self.states[0].energy.total
+                + self.energy_terms["dissipated"][0]
+                - self.energy_terms["work"][0]
+            )
             kept["initial"] = [surplus] * len(kept["work"])
-        ledger = None if self.ledger is None else kept
-        return replace(self, states=self.states.since(first), ledger=ledger)
+        terms = None if self.energy_terms is None else kept
+        return replace(self, states=self.states.since(first), energy_terms=terms)
 
     def last(self) -> Integration:
-        """The last state alone; the ledger, which continues, keeps its last values."""
-        for column in (self.ledger or {}).values():
+        """Keep the last state alone; the energy terms, which continue, keep their last values."""
+        for column in (self.energy_terms or {}).values():
             del column[:-1]
-        return Integration(self.states.last(), [], [], {}, "", self.ledger, warnings=self.warnings)
+        return Integration(self.states.last(), [], [], {}, "", self.energy_terms, warnings=self.warnings)
 
     def cut(self, size: int) -> None:
-        """Keep the first `size` stored states, and the ledger at these."""
+        """Keep the first `size` stored states, and the energy terms at these."""
         self.states.cut(size)
-        for column in (self.ledger or {}).values():
+        for column in (self.energy_terms or {}).values():
             del column[size:]
 
 
 def stored_times(start: State, duration: Any, times: Any, samples: Any, owner: str) -> Array:
-    """Times at which states are stored: those given, or equidistant ones from the start on.
+    """Return the times at which states are stored: those given, or equidistant ones from the start on.
 
     Parameters
     ----------
@@ -273,5 +306,5 @@ def stored_times(start: State, duration: Any, times: Any, samples: Any, owner: s
 
 
 def from_start(start: State, times: Array) -> Array:
-    """The times with that of the start in front, where a run begins; see `Integration.since`."""
+    """Put the time of the start in front of the times, where a run begins; see `Integration.since`."""
     return np.concatenate([[start.t], times]) if times[0] > start.t else times

@@ -12,12 +12,16 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError, FlexelError, PositionError
+from flexel.engine.coordinate_work import CoordinateWork
+from flexel.engine.covered import Covered
 from flexel.engine.finite import TangentError
 from flexel.generated._kernels import lib
+from flexel.integration.account import QUADRATURES
 from flexel.integration.branch import REFUSED
 from flexel.integration.jacobian import jacobian
 from flexel.integration.minimal import SHORTEST, MinimalRun
-from flexel.integration.radau_steps import Collocation
+from flexel.integration.radau_saddle import SaddleFactors, sparse
+from flexel.integration.radau_steps import FINEST, Collocation, estimated
 
 log = logging.getLogger("flexel.simulate")
 SHORTER = 0.5  # factor of a step that cannot be evaluated or trusted
@@ -28,22 +32,56 @@ CAREFUL = 1e-8  # distance of the end of a step from the integral of its rates, 
 class Radau(MinimalRun):
     """One run of Radau IIA."""
 
+    method = "Radau"
+    quadrature = QUADRATURES[method]
     steps: Collocation | None = None
+    _saddle: SaddleFactors | None = None
     _failed: FlexelError | None = None  # why the last trial failed
     _no_slope: TangentError | None = None
+
+    def _scale(self) -> Covered:
+        rtol, finest = self.tolerances.rtol, FINEST * self.tolerances.rtol / estimated(self.tolerances.rtol)
+        return Covered(*self._sizes, rtol, self.largest_atol, finest, self.tolerances.relative, full=np.inf)
 
     def restart(self) -> None:
         """Restart from the present position in the present degrees of freedom."""
         y, before, left = self.choices.values(self.now, self.z), self.steps, self.stop - self.t
+        self.take()
         if before is None or before.kinematics is not self.kinematics:
-            self.steps = Collocation(self.kinematics, self.tolerances.rtol, self.natural_atol())
+            self.steps = self._collocation()
         steps = self._steps
-        steps.start(self.now, y, self.knots)
+        steps.struct.account = self.account.struct
+        other = before if before is not steps else None
+        if other is not None:
+            steps.take_over(other)
+        steps.start(self.now, y, self.knots, self.covered)
         self.counts["evaluations"] += 1
+        if other is not None:
+            steps.resume(other)
         if before is None:
             steps.struct.h = self.tolerances.first_step or steps.first_step(left)
         else:
             steps.struct.h = before.struct.h
+
+    def _collocation(self) -> Collocation:
+        """Steps in the present degrees of freedom."""
+        kinematics, given = self.kinematics, self.tolerances
+        if self._saddle is None and sparse(kinematics):
+            self._saddle = SaddleFactors(kinematics)
+        elif self._saddle is not None:
+            self._saddle.choose(kinematics)
+        return Collocation(kinematics, given.rtol, self.natural_atol(), given.minor, self._saddle)
+
+    @property
+    def placed(self) -> CoordinateWork:
+        """The arrays that hold the position at the end of the step that was found last."""
+        return self._steps.choice
+
+    def restart_with(self, h: float) -> None:
+        """The same, with a step [s] to try first."""
+        self._steps.struct.h = h
+        self.restart()
+        self._steps.struct.stale = True  # close to a flat position the Jacobian is noise
 
     @property
     def _steps(self) -> Collocation:
@@ -62,7 +100,7 @@ class Radau(MinimalRun):
             steps, c = self._steps, self._steps.struct
             c.end, c.longest = self.stop, self.tolerances.max_step
             c.shortest = max(SHORTEST * self._span, 10 * abs(np.nextafter(self.t, np.inf) - self.t))
-            c.enlarged = max(1.0, self.reached / max(1.0, self.choices.best))
+            c.enlarged = max(1.0, self.amplification / max(1.0, self.choices.best))
             before = c.evaluations, c.refused
             code = steps.step()
             self.counts["evaluations"] += c.evaluations - before[0]
@@ -70,7 +108,7 @@ class Radau(MinimalRun):
             if code == lib.FLEXEL_RADAU_JACOBIAN:
                 self._evaluate_jacobian()
             elif code == lib.FLEXEL_RADAU_SHORT:
-                raise self._stopped()
+                return self.carry_or_stop(self._stopped())
             elif not code and self._trusted():
                 break
             else:
@@ -79,7 +117,7 @@ class Radau(MinimalRun):
 
     def _accepted(self, wished: float) -> str | None:
         steps, c, first = self._steps, self._steps.struct, self.now
-        self.reached, self._failed = steps.choice.reach(), None
+        self.amplification, self._failed = steps.choice.amplification(), None
         self.counts["bifurcations"] += bool(c.changed)
         cut, h = c.h < wished and not c.rejected, c.h
         dense = steps.accept()
@@ -92,7 +130,11 @@ class Radau(MinimalRun):
         """The Jacobian at the start; where a law has no slope, the last one serves, with shorter steps if need be."""
         steps = self._steps
         try:
-            steps.J[:], self._no_slope = jacobian(self.kinematics, self.now, self.z), None
+            if steps.saddle is None:
+                steps.look(jacobian(self.kinematics, self.now, self.z))
+            else:
+                steps.saddle.look(self.kinematics, self.now, self.z)
+            self._no_slope = None
         except TangentError as error:
             self._no_slope = error
         except FlexelError as error:
@@ -106,7 +148,7 @@ class Radau(MinimalRun):
         log.debug("another trial at t = %.9g s with a shorter step: %s", self.t, self._failed)
         steps.refuse(SHORTER)
         self.counts["rejected"] += 1
-        self.reached = self.choices.reach(self.now)
+        self.amplification = self.choices.amplification(self.now)
         if self.consider(REFUSED):
             self.restart()
 
@@ -130,9 +172,7 @@ class Radau(MinimalRun):
     def _stopped(self) -> FlexelError:
         """The error of steps that have become too short."""
         if self._no_slope:
-            return self.noted(self._no_slope)
-        if self._failed:
-            return self.gives_up(self._failed)
-        return DynamicsError(
+            return self._no_slope
+        return self._failed or DynamicsError(
             f"integration failed at t = {self.t:g} s: the step has become too short; {self.trouble('')}"
         )

@@ -8,23 +8,29 @@ Source: Hairer and Wanner (1996), IV.8; Gustafsson (1994).
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 
-from flexel.base.arrays import Array
+from flexel.base.arrays import Array, Index
 from flexel.base.copies import Portable
-from flexel.engine.choice import Choice
+from flexel.engine.angles import Angles, placed
+from flexel.engine.coordinate_work import CoordinateWork
+from flexel.engine.covered import Covered
 from flexel.engine.lapack import lapack
+from flexel.engine.rotations import Rotations
 from flexel.engine.structs import Struct
+from flexel.engine.turns import Turns
 from flexel.generated._kernels import ffi, lib
 from flexel.integration.followed import TRAVEL, turning_weights
 from flexel.integration.inputs import give
 from flexel.integration.knots import Knots
-from flexel.integration.minimal import natural_scales_of_y
+from flexel.integration.minimal import MINOR, natural_scales_of_y
+from flexel.integration.radau_saddle import SaddleFactors
 from flexel.integration.radau_tableau import COLLOCATION, CORRECTION, NODES, PAIR, REAL, WEIGHTS, T
 from flexel.mechanics.kinematics import Kinematics
-from flexel.structure.moment import Moment
+from flexel.model.snapshot import Snapshot
 
 POWERS = np.arange(1, 5)
 TIGHT = 0.25  # the program RADAU5 has 0.1 rtol^(2/3), which is the same at 1e-3 and looser below
@@ -33,6 +39,9 @@ ROUNDING = 10 * np.finfo(float).eps
 FIRST = 1e-6  # first step, relative to the time left, where the rates say nothing
 LEAST_FIRST = 1e-9  # the same at least: values of y that are rounding errors, or zero, ask for less
 KNOWN = 1e-5  # sizes of y and its rates, relative to the tolerance, from which they say something
+FINEST = 7e-15  # error of coordinates, relative to their size or natural scale, that shortens no step: an iteration
+# whose changes are rounding errors ends there, see radau_stages.c
+KEPT = 1e-10  # error of a position that one correction with factors of another stage brings down to rounding
 PART = 0.01  # of y, by which it changes in the first step
 METHOD = {
     "T": T,
@@ -44,6 +53,11 @@ METHOD = {
 }
 
 
+def estimated(rtol: float) -> float:
+    """The tolerance of the estimates of the local error."""
+    return float(TIGHT * rtol ** (4 / 5))
+
+
 class Collocation(Struct):
     """The struct of radau.h for one choice of degrees of freedom.
 
@@ -53,46 +67,87 @@ class Collocation(Struct):
     rtol : float
     atol : ndarray (ny,)
         In the units of y.
+    minor : float
+        Of a degree of freedom or rate relative to the largest ones, that counts as zero.
+    saddle : SaddleFactors, optional
+        Sparse factors for these degrees of freedom, instead of dense ones.
 
     Attributes
     ----------
     y, f : ndarray (ny,)
         Values and rates at the start of the step.
+    turns : Turns
+        Orientations that turn freely, of which y, f and J have rotations and angular velocities.
+    angles : Angles
+        Those with a single Euler parameter, of which they have angles.
     J : ndarray (ny, ny)
-        The Jacobian, to be filled in when a step asks for it.
+        The Jacobian, to be filled in when a step asks for it; empty with sparse factors.
     """
 
-    def __init__(self, kinematics: Kinematics, rtol: float, atol: Array) -> None:
+    def __init__(
+        self,
+        kinematics: Kinematics,
+        rtol: float,
+        atol: Array,
+        minor: float = MINOR,
+        saddle: SaddleFactors | None = None,
+    ) -> None:
         super().__init__(ffi.new("flexel_radau *"))
         self.kinematics = kinematics
-        self.choice = Choice(kinematics.evaluation.work, kinematics.lists)  # dense output does not change it
+        self.choice = CoordinateWork(
+            kinematics.evaluation.work, kinematics.lists
+        )  # dense output does not change it
         c, s, roles, ny = self.struct, kinematics.structure, kinematics.roles, atol.size
         c.ny, c.nd, c.nk, c.size = ny, roles.nd, roles.nq - roles.nd, ny - roles.nd
         c.mu, c.pair[0], c.pair[1] = REAL, PAIR.real, PAIR.imag
         c.real_factorize, c.complex_factorize = (lapack(z, "flexel_getrf") for z in ("dgetrf", "zgetrf"))
-        self._tight = TIGHT * rtol ** (4 / 5)
+        r = Rotations.of(s, roles)
+        self.turns = saddle.turns if saddle is not None else Turns(r)
+        self.angles = saddle.angles if saddle is not None else Angles(s, roles)
+        c.turns, c.angles = self.turns.struct, self.angles.struct
+        self._turning = np.concatenate([r.dof.ravel(), self.angles.dof])
+        twice = np.ones(ny)
+        twice[self._turning] = twice[roles.nq + self._turning] = (
+            2.0  # Euler parameters turn by half of an angle
+        )
+        self._tight = estimated(rtol)
         c.rtol, c.tolerance = self._tight, max(ROUNDING / self._tight, min(LOOSEST, self._tight**0.5))
-        self._atol = atol * (self._tight / rtol)
-        natural = natural_scales_of_y(kinematics)
+        self._atol = atol * twice * (self._tight / rtol)
+        natural = natural_scales_of_y(kinematics) * twice
         constant = METHOD | {"atol": self._atol, "natural": natural, "turning": turning_weights(s)}
         for name, array in constant.items():
             setattr(c, name, self.pointer(np.ascontiguousarray(array)))
-        c.travel, c.stale = TRAVEL, True
+        c.travel, c.minor, c.stale, c.finest = TRAVEL, minor, True, FINEST
+        self.choice.struct.kept = KEPT
+        self.saddle = saddle
+        if saddle is not None:
+            c.saddle = saddle.struct
         self._vectors(ny, int(c.size))
+        self._matrices(ny, int(c.size))
         c.ngiven = self.choice.motion.size + self.choice.loads.size
         self._given = self.new("given", 4 * c.ngiven).reshape(4, -1)
+        at = np.concatenate([r.at.ravel(), self.angles.at.ravel()])
+        self.new("known", at.size)
+        known = self.choice.struct
+        known.nknown, known.known, known.known_x = at.size, self.integers(at), c.known
 
     def _vectors(self, ny: int, size: int) -> None:
         s = self.kinematics.structure
-        self.y, self.f, _, self.estimate, _, self.scale = (
-            self.new(name, ny) for name in ("y", "f", "largest", "estimate", "f_new", "scale")
+        self.y, self.f, self.largest, self.estimate, _, self.scale, _ = (
+            self.new(name, ny) for name in ("y", "f", "largest", "estimate", "f_new", "scale", "placed")
         )
         self.x, self.v = self.new("x", s.n), self.new("v", s.n)
         self.e, self.ed = self.new("e", s.m), self.new("ed", s.m)
         self.Z, _, _ = (self.new(name, 3 * ny).reshape(3, ny) for name in ("Z", "W", "F"))
         self.new("V", 3 * s.nf)
         self.new("space", 3 * ny)
+        self.new("divided", 2 * int(self.struct.nd))
         self.powers = self.new("powers", 4 * ny).reshape(4, ny)
+
+    def _matrices(self, ny: int, size: int) -> None:
+        """Space for those that are dense."""
+        if self.saddle is not None:
+            ny = size = 0
         self.J = self.new("J", ny * ny).reshape(ny, ny)
         self.new("real_factors", size * size)
         self.new("complex_factors", 2 * size * size)
@@ -103,15 +158,15 @@ class Collocation(Struct):
     def _structs(self) -> tuple[Any, Any, Any]:
         return self.choice.work.struct, self.choice.struct, self.struct
 
-    def start(self, now: Moment, y: Array, knots: Knots) -> None:
-        """Begin at an instant; the Jacobian and the largest values so far are kept.
+    def start(self, now: Snapshot, y: Array, knots: Knots, covered: Covered) -> None:
+        """Begin at an instant, with y in Euler parameters; the Jacobian and the largest values so far are kept.
 
         Raises
         ------
         PositionError, ConstraintError, InertiaError
             If the rates cannot be evaluated.
         """
-        self._knots = knots
+        self._knots, self._covered, self.struct.covered = knots, covered, covered.struct
         self.choice.reset()
         self.choice.struct.accept = 0.0
         self.struct.t = now.t
@@ -119,10 +174,59 @@ class Collocation(Struct):
         give(self.kinematics, knots, self._given[3:], [now.t])
         self.kinematics.check(lib.flexel_radau_begin(*self._structs), now.t, self.choice)
 
+    def take_over(self, before: Collocation) -> None:
+        """Keep what is known from other degrees of freedom: sizes of variables, and how far frames have turned.
+
+        To be called before the start.
+        """
+        here, there = self._common(before)
+        self.largest[here] = before.largest[there]
+        self.angles.take_over(before.angles)
+        self.turns.keep_first(before.turns)
+
+    def resume(self, before: Collocation) -> None:
+        """Go on as if the degrees of freedom had not changed, if only Euler parameters have changed places.
+
+        To be called after the start, which is that of the step that other degrees of freedom would have taken.
+        """
+        c, old = self.struct, before.struct
+        here, there = self._common(before)
+        known = self.angles.known and before.angles.known
+        if here.size < self.y.size or there.size < before.y.size or c.t != old.t or not known:
+            return
+        self.powers[:, here], c.last_h, c.last_error = before.powers[:, there], old.last_h, old.last_error
+        if self.saddle is None:
+            self.J[np.ix_(here, here)] = before.J[np.ix_(there, there)]
+            self.turns.take_over(before.turns)
+            c.stale = old.stale
+
+    def _common(self, other: Collocation) -> tuple[Index, Index]:
+        """Numbers of the variables that both have."""
+        numbers = {name: i for i, name in enumerate(other._names)}
+        found = [(i, numbers[name]) for i, name in enumerate(self._names) if name in numbers]
+        here, there = np.array(found, dtype=np.intp).reshape(-1, 2).T
+        return here, there
+
+    @cached_property
+    def _names(self) -> list[tuple[int, ...]]:
+        """What the variables are: value, rate or internal state, of a quantity, or of a frame along one of its axes."""
+        roles, r = self.kinematics.roles, self.turns.rotations
+        names: list[tuple[int, ...]] = [(0, int(i)) for i in roles.dofs]
+        names += [(1, int(i)) for i in roles.dynamic]
+        names += [(2, i) for i in range(self.y.size - len(names))]
+        for at, dof in zip(r.at, r.dof, strict=True):
+            for axis, i in enumerate(dof.tolist()):
+                names[i], names[r.nq + i] = (3, int(at[0]), axis), (4, int(at[0]), axis)
+        for at, i in zip(self.angles.at, self.angles.dof.tolist(), strict=True):
+            names[i], names[r.nq + i] = (5, int(at[0])), (6, int(at[0]))
+        return names
+
     def first_step(self, left: float) -> float:
         """A first step [s] in which y changes by a hundredth of itself."""
-        scale = self._atol + self._tight * np.abs(self.y)
-        value, rate = _norm(self.y / scale), _norm(self.f / scale)
+        size = np.abs(self.y)
+        size[self._turning] = 1.0
+        scale = self._atol + self._tight * size
+        value, rate = _norm(size / scale), _norm(self.f / scale)
         known = value > KNOWN and rate > KNOWN
         return max(PART * value / rate, LEAST_FIRST * left) if known else FIRST * left
 
@@ -135,29 +239,33 @@ class Collocation(Struct):
             c = self.struct
             give(self.kinematics, self._knots, self._given[:3], [c.t + part * c.h for part in NODES])
 
+    def look(self, A: Array) -> None:
+        """Take the Jacobian of the start of the step, of y in Euler parameters."""
+        self.J[:] = self.angles.jacobian(self.turns.jacobian(A, self.y, self.f), self.y, self.f)
+
     def look_again(self) -> None:
         """The Jacobian is that of the start of the step, as far as it is known."""
-        c = self.struct
-        c.fresh, c.stale, c.factorized = True, False, 0.0
+        lib.flexel_radau_look_again(self.struct)
 
     def refuse(self, factor: float) -> None:
         """Try a step that is shorter by a factor."""
         lib.flexel_radau_refuse(self.struct, factor)
 
-    def end(self, t: float) -> Moment:
+    def end(self, t: float) -> Snapshot:
         """Position and rates at the end of the last step."""
         work = self.choice.work
-        return Moment(t, work.x.copy(), work.v.copy(), work.e.copy(), work.w[: work.e.size].copy())
+        return Snapshot(t, work.x.copy(), work.v.copy(), work.e.copy(), work.w[: work.e.size].copy())
 
-    def accept(self) -> Polynomial:
+    def accept(self) -> StagePolynomial:
         """Continue from the end of the last step; its dense output."""
-        c, t, y = self.struct, self.struct.t, self.y.copy()
-        lib.flexel_radau_accept(self.choice.work.struct, c)
-        return Polynomial(t, c.last_h, y, self.powers.copy(), self.y.copy())
+        c, t, y, L = self.struct, self.struct.t, self.y.copy(), self.turns.start.copy()
+        end, charts = y + self.Z[2], self.angles.charts
+        lib.flexel_radau_accept(*self._structs)
+        return StagePolynomial(t, c.last_h, y, self.powers.copy(), end, self.turns.rotations, L, charts)
 
 
 @dataclass(frozen=True)
-class Polynomial(Portable):
+class StagePolynomial(Portable):
     """Dense output of a step: the collocation polynomial, corrected so that its rates at the start are right too.
 
     The defect of the collocation polynomial is a multiple of (s - c1)(s - c2)(s - 1) to its leading order, and known
@@ -169,11 +277,17 @@ class Polynomial(Portable):
     t, h : float
         Start and length of the step [s].
     y : ndarray (ny,)
-        Values at its start.
+        Values at its start; of orientations, rotations from there and angular velocities, and angles.
     coefficients : ndarray (4, ny)
         Of the powers 1 to 4 of the part of the step that has passed.
     end : ndarray (ny,)
         Values at its end.
+    rotations : Rotations
+        Orientations that turn freely.
+    L : ndarray (count, 4)
+        Their Euler parameters at the start.
+    charts : ndarray (angles, 3)
+        What the angles are, see `Angles.charts`.
     """
 
     t: float
@@ -181,11 +295,20 @@ class Polynomial(Portable):
     y: Array
     coefficients: Array
     end: Array
+    rotations: Rotations
+    L: Array
+    charts: Array
 
     def __call__(self, t: float) -> Array:
-        """Values (ny,) at a time [s]."""
+        """Values (ny,) of y = (q, q_d', z) at a time [s]."""
         part = (t - self.t) / self.h
-        return self.end if part == 1.0 else np.asarray(self.y + part**POWERS @ self.coefficients)
+        found = self.end if part == 1.0 else self.y + part**POWERS @ self.coefficients
+        r, found = self.rotations, placed(found, self.charts, self.rotations.nq)
+        if not r.count:
+            return found
+        L, w, y = r.turned(self.L, found[r.dof]), found[r.nq + r.dof], found.copy()
+        y[r.dof] = np.take_along_axis(L, r.part, axis=1)
+        return r.place(y, w.ravel(), L[np.arange(r.count), r.rest])
 
 
 def _norm(x: Array) -> float:

@@ -5,20 +5,18 @@ Beyond its data a law is extrapolated as its definition says; the user is warned
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from flexel.base.errors import RangeWarning
 from flexel.derive.spec import LawSpec, LimitSpec
-from flexel.engine.kernels import Batch
-from flexel.mechanics.core import Core
-from flexel.structure.state import State
+from flexel.engine.batches import Batch
+from flexel.model.state import State
+from flexel.system import CoreSystem
 
 
-def outside(system: Core, states: Sequence[State]) -> list[str]:
-    """Quantities outside the range of their law's data at a state, with the largest stress and the extrapolation."""
+def outside(system: CoreSystem, states: Sequence[State]) -> list[str]:
+    """Report quantities outside the range of their law's data, with the largest stress and the extrapolation."""
     return [
         line
         for law in system.evaluation.tables.laws
@@ -27,14 +25,7 @@ def outside(system: Core, states: Sequence[State]) -> list[str]:
     ]
 
 
-def warn_outside(system: Core, states: Sequence[State]) -> None:
-    """Warn, at the caller of the analysis, of every quantity that left the range of its law's data."""
-    found = outside(system, states)
-    if found:
-        warnings.warn("; ".join(found), RangeWarning, stacklevel=4)
-
-
-def _outside(system: Core, law: Batch, end: LimitSpec, states: Sequence[State]) -> Iterator[str]:
+def _outside(system: CoreSystem, law: Batch, end: LimitSpec, states: Sequence[State]) -> Iterator[str]:
     name, quantities = law.spec.name, law.places["e"][:, 0]
     limits = law.parameter(end.parameter)[:, end.component]
     histories = np.array([state.stresses[quantities] for state in states]).T

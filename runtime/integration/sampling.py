@@ -14,10 +14,11 @@ from functools import cached_property
 import numpy as np
 
 from flexel.base.arrays import Array, Index
-from flexel.structure.controllers import SAME, Controller, parts, read
-from flexel.structure.moment import Moment
-from flexel.structure.state import State
-from flexel.structure.structure import Structure
+from flexel.base.nested import WITHIN
+from flexel.model.controller import SAME, Controller, parts, read
+from flexel.model.snapshot import Snapshot
+from flexel.model.state import State
+from flexel.model.structure import Structure
 
 ROUNDING = 1e-15  # of a number of periods, relative
 Completed = Callable[[], State]  # the complete state at an instant, computed if it is needed
@@ -43,12 +44,12 @@ class Sampled:
 
     @classmethod
     def of(cls, structure: Structure, c: Controller) -> Sampled:
-        """The controller in its structure."""
+        """Return the controller with its indices in the structure."""
         held, waiting, own = (
-            np.array([structure.internal[z] for z in names], dtype=np.intp)
+            np.array([structure.internal[name] for name in names], dtype=np.intp)
             for names in (c.shown, c.waiting, c.own)
         )
-        places = [_place(structure, z) for z in c.inputs]
+        places = [_place(structure, name) for name in c.inputs]
         plain = None if None in places else np.array(places, dtype=np.intp)
         return cls(c, held, waiting, own, plain)
 
@@ -59,12 +60,12 @@ class Sampled:
         return (0.0, rest) if rest else (0.0,)
 
     def next(self, t: float) -> float:
-        """The first instant after t at which something changes."""
+        """Return the first instant after t at which something changes."""
         T = self.controller.period
         assert T is not None
         periods = [(t - phase) / T for phase in self.phases]
-        passed = [np.floor(z + SAME + ROUNDING * abs(z)) for z in periods]
-        return float(min((z + 1.0) * T + phase for z, phase in zip(passed, self.phases, strict=True)))
+        passed = [np.floor(count + SAME + ROUNDING * abs(count)) for count in periods]
+        return float(min((count + 1.0) * T + phase for count, phase in zip(passed, self.phases, strict=True)))
 
     def due(self, t: float, phase: float) -> bool:
         """Whether something changes at t."""
@@ -73,7 +74,7 @@ class Sampled:
         periods = (t - phase) / T
         return bool(abs(periods - round(periods)) <= SAME + ROUNDING * abs(periods))
 
-    def jump(self, t: float, at: Moment, z: Array, complete: Completed, new: Array) -> None:
+    def jump(self, t: float, at: Snapshot, z: Array, complete: Completed, new: Array) -> None:
         """Put what changes at t into `new`; z are all internal states before."""
         c, rest = self.controller, self.controller.lag[1]
         if self.due(t, 0.0):
@@ -82,7 +83,8 @@ class Sampled:
                 y = np.array([read(state, name) for name in c.inputs])
             else:
                 y = np.concatenate([at.e, at.x, at.ed, at.v, z])[self.inputs]
-            u, new[self.own] = c.advanced(t, y, z[self.own])
+            with WITHIN:
+                u, new[self.own] = c.advanced(t, y, z[self.own])
             size = u.size
             queue = np.concatenate([z[self.waiting], u])
             if not rest:
@@ -115,28 +117,28 @@ class Sampling:
         )
 
     def next(self, t: float) -> float:
-        """The first instant after t; infinite without controllers."""
-        return min((z.next(t) for z in self.all), default=np.inf)
+        """Return the first instant after t; infinite without controllers."""
+        return min((sampled.next(t) for sampled in self.all), default=np.inf)
 
     def stop(self, t: float, times: Array) -> float:
-        """The first instant after t; a stored time that differs from it by rounding only is used instead.
+        """Return the first instant after t; a stored time that differs from it by rounding only is used instead.
 
         Otherwise a state could be stored just after an instant, and a motion that continues from it would sample again.
         """
         found = self.next(t)
         i = int(np.searchsorted(times, found))
-        near: float
-        for near in times[max(i - 1, 0) : i + 1].tolist():
-            if near > t and abs(near - found) <= self._same + ROUNDING * abs(found):
-                return near
+        time: float
+        for time in times[max(i - 1, 0) : i + 1].tolist():
+            if time > t and abs(time - found) <= self._same + ROUNDING * abs(found):
+                return time
         return found
 
     def due(self, t: float) -> bool:
         """Whether something changes at t."""
-        return any(z.due(t, phase) for z in self.all for phase in z.phases)
+        return any(sampled.due(t, phase) for sampled in self.all for phase in sampled.phases)
 
-    def after(self, at: Moment, z: Array, complete: Completed) -> Array:
-        """The internal states just after an instant; all controllers measure just before it."""
+    def after(self, at: Snapshot, z: Array, complete: Completed) -> Array:
+        """Return the internal states just after an instant; all controllers measure just before it."""
         new = z.copy()
         for sampled in self.all:
             sampled.jump(at.t, at, z, complete, new)

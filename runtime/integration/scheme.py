@@ -24,7 +24,7 @@ class Scheme:
 
     @classmethod
     def with_radius(cls, radius: float, constrained: bool = True) -> Scheme:
-        """The optimal scheme of second order; a radius near 1 conserves energy, 0 damps high frequencies at once.
+        """Return the optimal scheme of second order; radius 1 conserves energy, 0 damps high frequencies at once.
 
         Radius 1 needs a system without constraints: with them its accelerations and multipliers grow without bound.
         """

@@ -1,31 +1,33 @@
-"""Implicit integration of stiff models: step control and energy ledger."""
+"""Implicit integration of stiff models: step control and energy balance."""
 
 from __future__ import annotations
 
 import math
 from abc import abstractmethod
 from dataclasses import dataclass, replace
-from typing import ClassVar
 
 import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError
-from flexel.integration.alpha import Stepper
+from flexel.integration.alpha import AlphaStepper
+from flexel.integration.balance import Balance, Saddle
+from flexel.integration.between import Between
 from flexel.integration.contact_watch import ContactWatch
 from flexel.integration.driver import Run
-from flexel.integration.ledger import Ledger
+from flexel.integration.energy_balance import EnergyBalance
+from flexel.integration.imbalance import AT_REST, Imbalance
 from flexel.mechanics import dynamics
-from flexel.mechanics.balance import Balance, Saddle
-from flexel.mechanics.core import Core
 from flexel.mechanics.impulse import struck
 from flexel.mechanics.inertia import InertiaError
-from flexel.structure.moment import Moment
-from flexel.structure.state import State
+from flexel.model.snapshot import Snapshot
+from flexel.model.state import State
+from flexel.system import CoreSystem
 
 SHORTEST = 1e-10  # shortest step, over the duration
 LOST = 0.01  # of the energy of a motion that its method may take out or add without a warning
 DEEP = 0.1  # local error over a new contact's penetration above which the step is halved
+NEAR = 1e-6  # distance of a time from the end of a step, relative to it, that is rounding
 STEADY = 1.3  # growth factor below which the step is kept: every change disturbs the multipliers
 MOST_FALSE, MOST_HALVINGS = 8, 4  # step halvings because of spurious energy, and because of new contacts
 
@@ -52,11 +54,11 @@ class Control:
 
 
 class ImplicitRun(Run):
-    """An implicit integration over given times, with its energy ledger.
+    """An implicit integration over given times, with its energy balance.
 
     Attributes
     ----------
-    ledger : Ledger
+    energy_balance : EnergyBalance
     shortest : float
         Step [s] below which it cannot continue.
     """
@@ -65,21 +67,19 @@ class ImplicitRun(Run):
         super().__init__(saddle.system, start, times)
         self.saddle = saddle
         saddle.inside = self.knots.inside
-        self.ledger = Ledger(saddle)
-        self.result = replace(self.result, ledger=self.ledger.kept)
+        self.energy_balance = EnergyBalance(saddle)
+        self.result = replace(self.result, energy_terms=self.energy_balance.terms)
         self.shortest = SHORTEST * float(times[-1] - times[0])
-
-    method: ClassVar[str]
 
     @abstractmethod
     def balance(self) -> Balance:
-        """The balance of forces at the current time, in the workspace."""
+        """Return the balance of forces at the current time, in the workspace."""
 
     @property
-    def instant(self) -> tuple[Moment, Array]:
+    def instant(self) -> tuple[Snapshot, Array]:
         """Coordinates, rates and deformations at the current time, and internal states of laws."""
         state = self.present
-        return Moment.of(state), state.z
+        return Snapshot.of(state), state.z
 
     @property
     def present(self) -> State:
@@ -88,30 +88,38 @@ class ImplicitRun(Run):
         return stored if stored.t == self.t else self.saddle.state(self.balance())
 
     def begin(self) -> None:
-        """Open the ledger."""
+        """Start the energy balance."""
         self.balance()
-        self.ledger.begin()
+        self.energy_balance.begin()
 
     def keep(self) -> None:
         """Store the current state, unless it is already stored."""
         if self.t > self.result.states.end:
             self.result.states.append(self.saddle.state(self.balance()))
-            self.ledger.keep()
+            self.energy_balance.keep()
 
     def judge(self) -> str | None:
         """Whether the method has taken out, or added, more than a small part of the energy of the motion."""
-        ledger = self.ledger
-        if abs(ledger.share) <= LOST or not ledger.steps:
+        balance = self.energy_balance
+        if abs(balance.share) <= LOST or not balance.steps:
             return None
-        step = (self.t - float(self.times[0])) / ledger.steps
-        did = "taken out" if ledger.missing > 0 else "added"
+        step = (self.t - float(self.times[0])) / balance.steps
+        did = "taken out" if balance.missing > 0 else "added"
         return (
-            f"{self.method} has {did} {abs(ledger.missing):.2g} J, {abs(ledger.share):.0%} of the energy of the motion "
-            f"(mean step {step:.2g} s); give a smaller rtol or step, or method='DOP853'"
+            f"{self.method} has {did} {abs(balance.missing):.2g} J, {abs(balance.share):.0%} of the energy of the "
+            f"motion (mean step {step:.2g} s); give a smaller rtol or step, or method='DOP853'"
         )
 
+    def imbalance(self) -> Imbalance | None:
+        """Return the error of the energy balance; `judge` reports what is lost beyond a small part."""
+        balance = self.energy_balance
+        moved = balance.moved
+        if moved <= AT_REST * (moved + balance.size):
+            return Imbalance(0.0, 0.0, 0.0, self.t)
+        return Imbalance(abs(balance.missing), moved, np.inf, self.t)
+
     def failure(self) -> DynamicsError:
-        """The error of a step that cannot be taken."""
+        """Return the error of a step that cannot be taken."""
         return DynamicsError(
             f"implicit integration cannot continue at t = {self.t:g} s (step below {self.shortest:.2g} s): the motion "
             "is not smooth there, or a condition cannot be met; inspect the last state of the motion, change the "
@@ -125,9 +133,10 @@ class GeneralizedAlpha(ImplicitRun):
     method = "generalized-alpha"
 
     def __init__(
-        self, system: Core, start: State, times: Array, radius: float, newton: str, control: Control
+        self, system: CoreSystem, start: State, times: Array, radius: float, newton: str, control: Control
     ) -> None:
-        self.stepper = Stepper(system, start, radius, newton, control.tolerance)
+        self._scheme = radius, newton
+        self.stepper = AlphaStepper(system, start, *self._scheme, control.tolerance)
         super().__init__(self.stepper, start, times)
         self.control = control
         if math.isfinite(control.tolerance):
@@ -135,9 +144,16 @@ class GeneralizedAlpha(ImplicitRun):
         self._watch = ContactWatch(
             self.stepper.work, (control.tolerance + control.absolute) * self.stepper.length
         )
+        self._unwatched = self.passed.any and not self._watch.any
+        self._begun: Snapshot | None = None  # the current point, if contacts are not watched
         self._steps = self._rejected = self._at_contact = self._halvings = self._false = 0
         self._wish = min(control.first, control.longest)
         self._refused = (0.0, 0.0)  # length and error of a trial that was refused for its internal states
+        self._constant = math.isinf(
+            control.tolerance
+        )  # steps then end at multiples of their length from here on
+        self._anchor, self._multiple = start.t, 0
+        self._between: Between | None = None
 
     @property
     def t(self) -> float:
@@ -150,8 +166,9 @@ class GeneralizedAlpha(ImplicitRun):
         return self._wish
 
     def renew(self) -> None:
-        """Accelerations with the loads that have changed; unchanged if a degree of freedom has no inertia."""
+        """Compute accelerations with the changed loads; leave them if a degree of freedom has no inertia."""
         old, state = self.stepper.stepping.old, self.result.states[-1]
+        self._begun = None
         kinematics = self.stepper.system.kinematics_of(state.roles)
         now = self.t
         try:
@@ -168,18 +185,18 @@ class GeneralizedAlpha(ImplicitRun):
         self.stepper.stepping.old["z"][:] = z
         self.renew()
         self.balance()
-        self.ledger.renew()
+        self.energy_balance.renew()
 
     def strike(self) -> None:
         """Continue from here with the rates just after an impulse."""
         old = self.stepper.stepping.old
         kinematics = self.stepper.system.kinematics_of(self.result.states[-1].roles)
         x, v, e = (old[name].copy() for name in ("x", "v", "e"))
-        before = Moment(self.t, x, v, e, np.zeros_like(e))
+        before = Snapshot(self.t, x, v, e, np.zeros_like(e))
         old["v"][:] = struck(kinematics, before, self.knots.inside(self.t)).v
         self.renew()
         self.balance()
-        self.ledger.strike()
+        self.energy_balance.strike()
 
     @property
     def statistics(self) -> dict[str, int]:
@@ -196,15 +213,16 @@ class GeneralizedAlpha(ImplicitRun):
         }
 
     def balance(self) -> Balance:
-        """The balance of forces at the current time, in the workspace."""
+        """Return the balance of forces at the current time, in the workspace."""
         return self.stepper.current()
 
     def advance(self) -> None:
-        """One accepted step."""
-        stepper, now, until = self.stepper, self.t, min(self.until, self.stop)
+        """Take one accepted step."""
+        stepper, now, until = self.stepper, self.t, self._goal()
         gap = until - now
         if self._watch.any:
             self._watch.note(self.balance().a)
+        first = self._start() if self._unwatched else None
         parts = max(math.ceil(gap / min(self._wish, self.control.longest) * (1 - 1e-9)), 1)
         step = asked = gap / parts
         while (error := self._error(step)) > 1.0:
@@ -220,29 +238,74 @@ class GeneralizedAlpha(ImplicitRun):
         if step == asked:
             self._halvings, self._false = max(self._halvings - 1, 0), max(self._false - 1, 0)
         end = now + step
-        reached = abs(end - until) < 1e-6 * step
-        stepper.accept(until if reached else end)
-        self.ledger.add(step)
+        if abs(end - until) < NEAR * step:
+            end = until
+        if self._constant:
+            end = self._keep_within(end, step)
+        stepper.accept(end)
+        if first is not None:
+            self._begun = self._moment()
+            self.passed.look([(first, self._begun)])
+        self.energy_balance.add(step)
         if self.t >= self.until:
             self.keep()
+
+    def _goal(self) -> float:
+        """When the next step ends at the latest [s]: where a state is stored, but for constant steps at their ends."""
+        stop = self.stop
+        if not self._constant:
+            return min(self.until, stop)
+        h = self.control.longest
+        if self._anchor + self._multiple * h <= self.t + NEAR * h:
+            self._multiple += 1
+        goal = self._anchor + self._multiple * h
+        if goal < stop - NEAR * h:
+            return goal
+        self._anchor, self._multiple = stop, 0
+        return stop
+
+    def _keep_within(self, end: float, step: float) -> float:
+        """Store the states whose times lie within a step that was found; return its end, or a stored time there."""
+        while self.until < end - NEAR * step:
+            if self._between is None:
+                self._between = Between(
+                    self.stepper, self.energy_balance, self.result.states[-1], self._scheme
+                )
+            found = self._between.state(self.until, self.shortest)
+            if found is None:
+                raise self.failure()
+            self.result.states.append(found)
+        return self.until if self.until < end + NEAR * step else end
+
+    def _start(self) -> Snapshot:
+        """Return the current point, from the last step if it is known."""
+        if self._begun is None:
+            self.balance()
+            self._begun = self._moment()
+        return self._begun
+
+    def _moment(self) -> Snapshot:
+        """Return the point in the workspace, at the current time."""
+        x, v, e, w = (getattr(self.stepper.work, name).copy() for name in ("x", "v", "e", "w"))
+        return Snapshot(self.t, x, v, e, w[: e.size])
 
     def _error(self, h: float) -> float:
         """Local error of a step over the tolerance; infinite if the step is not found or is rejected: for a spurious
         solution, or if a new contact is too deep.
         """
-        stepper, ledger = self.stepper, self.ledger
+        stepper, balance = self.stepper, self.energy_balance
         if not stepper.step(h):
             stepper.check_inertia()
             return math.inf
-        ledger.look()
-        if self._false < MOST_FALSE and ledger.spurious(h, stepper.balancing.struct.scale):
+        balance.look()
+        if self._false < MOST_FALSE and balance.spurious(h, stepper.balancing.struct.scale):
             self._false += 1
             return math.inf
         if self._watch.any and self._watch.skipped(h):
             self._at_contact += 1
             return math.inf
         if self._halvings < MOST_HALVINGS:
-            begun = ledger.new_penetration()
+            begun = balance.new_penetration()
             if begun and stepper.numbers.local_size > DEEP * begun:
                 self._halvings += 1
                 self._at_contact += 1
@@ -251,7 +314,7 @@ class GeneralizedAlpha(ImplicitRun):
         return max(coordinates, self._error_of_states(h)) if coordinates <= 1.0 else coordinates
 
     def _error_of_states(self, h: float) -> float:
-        """The same of the internal states; a rate that jumps in the step, as of a bristle that begins to slide, passes.
+        """Return the same of the internal states; a rate that jumps in the step, as when a bristle slides, passes.
 
         The error of a smooth rate falls with the third power of the step, and with the second in the first step of a
         motion, that of a jump with the first. Shorter steps would not find the jump.

@@ -13,15 +13,17 @@ from flexel.base.errors import FlexelError, StiffWarning
 from flexel.engine.solvers import eigenvalues
 from flexel.integration.driver import Run
 from flexel.integration.excitation import followed
-from flexel.mechanics.core import Core
+from flexel.integration.radau_saddle import sparse
 from flexel.mechanics.inertia import InertiaError
-from flexel.structure.state import State
+from flexel.model.state import State
+from flexel.system import CoreSystem
 
 EXPLICIT, RADAU, ALPHA = "DOP853", "Radau", "generalized-alpha"
 STIFF = 3e4  # max |λ| times the duration from which a motion is integrated implicitly
 SMALL = 30  # degrees of freedom above which a step of an explicit method costs more than one of an implicit method
 SPREAD = 100.0  # ratio of max |λ| to the rates that the motion follows from which it is integrated implicitly
-MANY = 300  # degrees of freedom above which it is integrated implicitly whatever its eigenvalues
+LARGE = 300  # degrees of freedom above which no eigenvalues are taken: the trials of the methods decide alone
+MANY = 1000  # degrees of freedom above which a motion is integrated by generalized-alpha
 RIGID = 1e-6  # relative to the largest eigenvalue: below it nothing resists the motion
 LOOK = 1000  # steps after which an explicit integration is looked at: short motions cost nothing more
 LONG = 5 * LOOK  # steps of a motion that is called long
@@ -43,6 +45,8 @@ class Suitable:
         Its state matrix.
     inertia : ndarray (nd,)
         Inertia of each dynamic degree of freedom in its natural scale [kg m²], if it was linearized.
+    is_large : bool
+        Whether it was not linearized because it has many degrees of freedom.
     """
 
     method: str
@@ -51,12 +55,16 @@ class Suitable:
     rates: Array = field(default_factory=lambda: np.zeros(0))
     matrix: Array = field(default_factory=lambda: np.zeros((0, 0)))
     inertia: Array = field(default_factory=lambda: np.zeros(0))
+    is_large: bool = False
 
 
-def suitable(system: Core, state: State) -> Suitable:
+def suitable(system: CoreSystem, state: State) -> Suitable:
     """Demands of a system on an integrator at a state; no eigenvalues are taken of very large systems."""
-    if system.roles.nd > MANY:
-        return Suitable(ALPHA, f"{system.roles.nd} degrees of freedom, above {MANY}")
+    nd = system.roles.nd
+    if nd > MANY or (nd > LARGE and not few(system)):
+        return Suitable(ALPHA, f"{nd} degrees of freedom, above {MANY if nd > MANY else LARGE}")
+    if nd > LARGE:
+        return Suitable("", f"{nd} degrees of freedom, above {LARGE}", is_large=True)
     try:
         lin = system._linearization(state)
         inertia = np.diag(lin.M) * system.kinematics.scales(system.roles.dynamic) ** 2
@@ -68,17 +76,23 @@ def suitable(system: Core, state: State) -> Suitable:
         return Suitable(EXPLICIT, "the start cannot be linearized", str(error))
 
 
-def smooth(system: Core) -> bool:
-    """Whether Radau may suit: contacts would end smooth motions again and again, and its matrices are dense."""
-    return "gap" not in system.structure.kinds and system.roles.nd <= MANY
+def few(system: CoreSystem) -> bool:
+    """Whether Radau may suit: large matrices must be sparse."""
+    nd = system.roles.nd
+    return nd <= min(LARGE, MANY) or (nd <= MANY and sparse(system.kinematics))
 
 
-def limit(system: Core) -> float:
+def smooth(system: CoreSystem) -> bool:
+    """Whether Radau may suit motions that are not stiff too: contacts would end smooth motions again and again."""
+    return few(system) and "gap" not in system.structure.kinds
+
+
+def limit(system: CoreSystem) -> float:
     """Max |λ| times the duration from which a motion is integrated implicitly if it does not excite what is fast."""
     return STIFF / max(1.0, system.roles.nd / SMALL)
 
 
-def stiff(system: Core, state: State, found: Suitable, duration: float) -> tuple[bool, str]:
+def stiff(system: CoreSystem, state: State, found: Suitable, duration: float) -> tuple[bool, str]:
     """Whether a motion from a state that was linearized is stiff, and why or why not."""
     turns, most = float(found.rates.max(initial=0.0)) * duration, limit(system)
     fastest = f"max|λ|·duration = {turns:.2g} at t = {state.t:.3g} s"
@@ -95,7 +109,7 @@ class Watch:
 
     Parameters
     ----------
-    system : Core
+    system : CoreSystem
     method : str
         Its name, for the message.
 
@@ -105,7 +119,7 @@ class Watch:
         What was found; empty before the look, and for motions that are not stiff or not long.
     """
 
-    def __init__(self, system: Core, method: str) -> None:
+    def __init__(self, system: CoreSystem, method: str) -> None:
         self.system, self.method = system, method
         self.found = ""
         self._steps, self._half = 0, 0.0
@@ -129,12 +143,12 @@ class Watch:
         slowest = float(demands.rates[demands.rates > RIGID * fastest].min(initial=np.inf))
         if fastest * (end - float(run.times[0])) > STIFF and fastest > SPREAD * slowest:
             why = f"its largest eigenvalue is {fastest:.2g} 1/s in magnitude at t = {run.t:.3g} s"
-        elif demands.method == ALPHA:
+        elif demands.method == ALPHA or demands.is_large:
             why = demands.why
         else:
             return  # accuracy asks for these steps
         self.found = f"{self.method} takes about {count:.2g} steps: {why}"
-        other = RADAU if smooth(self.system) else ALPHA
+        other = RADAU if few(self.system) else ALPHA
         events = " and no events, which it does not locate" * (
             other == ALPHA and bool(getattr(run, "events", ()))
         )

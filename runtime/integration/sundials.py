@@ -15,16 +15,16 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError, FlexelError
+from flexel.integration.balance import Balance, Saddle
 from flexel.integration.contact_watch import ContactWatch
 from flexel.integration.steps import Control, ImplicitRun
 from flexel.mechanics import dynamics
-from flexel.mechanics.balance import Balance, Saddle
-from flexel.mechanics.core import Core
 from flexel.mechanics.free_motion import check_inertia
 from flexel.mechanics.impulse import struck
 from flexel.mechanics.saddle import Matrix, SaddlePattern
-from flexel.structure.moment import Moment
-from flexel.structure.state import State
+from flexel.model.snapshot import Snapshot
+from flexel.model.state import State
+from flexel.system import CoreSystem
 
 FREE = 1e20  # absolute tolerance of variables excluded from the error control
 PULL = 300.0  # rate at which violations of the constraints die out, times the duration of the motion
@@ -34,9 +34,9 @@ KRYLOV = 12  # vectors of GMRES
 class DifferentialAlgebraic(Saddle):
     """The equations of motion as F(t, y, y') = 0 with y = (x, v, mu, z), free coordinates only."""
 
-    def __init__(self, system: Core, start: State, pull: float) -> None:
+    def __init__(self, system: CoreSystem, start: State, pull: float) -> None:
         super().__init__(system)
-        self.pull, self.near, self._start = pull, start.e, start
+        self.pull, self.unwrap_from, self._start = pull, start.e, start
         self.pattern = SaddlePattern(self.work, self.force_rows, self.force_rows)
         self.evaluations = self.factorizations = self.iterations = 0
         self.singular = False  # whether the last preconditioner was
@@ -47,27 +47,27 @@ class DifferentialAlgebraic(Saddle):
 
     def restart(self, start: State) -> Balance:
         """Restart from a state."""
-        self._start, self.near, self.z = start, start.e, start.z
+        self._start, self.unwrap_from, self.z = start, start.e, start.z
         return self.balance(start.t, start.x, start.v, start.a, self.multipliers(start), start.e)
 
     def split(self, y: Array) -> list[Array]:
-        """(x, v, mu, z) of y, or their rates of y'."""
+        """Split y into (x, v, mu, z), or y' into their rates."""
         return [np.array(y[a:b]) for a, b in zip(self.ends[:-1], self.ends[1:], strict=True)]
 
     def start_values(self, mu: Array) -> tuple[Array, Array]:
-        """y and y' at the start."""
+        """Return y and y' at the start."""
         s, nf = self._start, self.structure.nf
         y = np.concatenate([s.x[:nf], s.v[:nf], mu, s.z])
         return y, np.concatenate([s.v[:nf], s.a[:nf], np.zeros(mu.size), s.zd])
 
     def tolerances(self, tolerance: float, span: float) -> Array:
-        """Absolute tolerances of y, in natural scales."""
+        """Return the absolute tolerances of y, in natural scales."""
         z = np.full(self.structure.nz, tolerance)
         free = np.full(self.force_rows.size, FREE)
         return np.concatenate([tolerance * self.x_scale, tolerance * self.x_scale / span * 100, free, z])
 
     def at(self, t: float, y: Array, yp: Array) -> Balance:
-        """The balance of forces at y, y'."""
+        """Return the balance of forces at y, y'."""
         nf, s = self.structure.nf, self._start
         x, v, mu, self.z = self.split(y)
         a = self.split(yp)[1]
@@ -76,16 +76,16 @@ class DifferentialAlgebraic(Saddle):
             np.concatenate([v, self.rest[nf:]]),
             np.concatenate([a, self.rest[nf:]]),
         )
-        return self.balance(t, *full, mu, self.near)
+        return self.balance(t, *full, mu, self.unwrap_from)
 
     def residual(self, t: float, y: Array, yp: Array, out: Array) -> None:
-        """F(t, y, y')."""
+        """Compute F(t, y, y')."""
         self.evaluations += 1
         b, (xd, _, _, zd) = self.at(t, y, yp), self.split(yp)
         rows, nh, p = self.force_rows, self.roles.holonomic.size, self.pull
         rate = np.concatenate([b.w, b.v])[rows]
         self.work.convective()
-        second = np.concatenate([self.work.g + self.work.push(b.a), b.a])[rows]
+        second = np.concatenate([self.work.g + self.work.jvp(b.a), b.a])[rows]
         if self.roles.motions:
             _, ud, udd = self.roles.motion(self.inside(t))
             driven = slice(self.roles.rigid.size, nh)
@@ -121,7 +121,7 @@ class DifferentialAlgebraic(Saddle):
     def precondition(
         self, t: float, y: Array, yp: Array, residual: Array, r: Array, out: Array, cj: float, delta: float
     ) -> None:
-        """An approximate solution of (dF/dy + cj dF/dy') out = r."""
+        """Solve (dF/dy + cj dF/dy') out = r approximately."""
         self.iterations += 1
         nf, nh, p = self.structure.nf, self.roles.holonomic.size, self.pull
         assert self._matrix is not None
@@ -146,7 +146,7 @@ class Sundials(ImplicitRun):
 
     def __init__(
         self,
-        system: Core,
+        system: CoreSystem,
         start: State,
         times: Array,
         duration: float,
@@ -186,24 +186,24 @@ class Sundials(ImplicitRun):
         return self._balance.t
 
     def balance(self) -> Balance:
-        """The balance of forces at the current time, in the workspace."""
+        """Return the balance of forces at the current time, in the workspace."""
         b, self.equations.z = self._balance, self._balance.z
         return self.equations.balance(b.t, b.x, b.v, b.a, b.mu, b.e)
 
     def jump(self, z: Array) -> None:
         """Continue from here with other internal states: the solver restarts."""
         self._restart(self._balance.v, z)
-        self.ledger.renew()
+        self.energy_balance.renew()
 
     def strike(self) -> None:
         """Continue from here with the rates just after an impulse."""
         b, kinematics = self._balance, self.equations.system.kinematics
-        before = Moment(b.t, b.x, b.v, b.e, b.w[: b.e.size])
+        before = Snapshot(b.t, b.x, b.v, b.e, b.w[: b.e.size])
         self._restart(struck(kinematics, before, self.knots.inside(b.t)).v, b.z)
-        self.ledger.strike()
+        self.energy_balance.strike()
 
     def _restart(self, v: Array, z: Array) -> None:
-        """Let the solver start again from the present position."""
+        """Restart the solver from the present position."""
         b, equations = self._balance, self.equations
         t = self.knots.inside(b.t)
         found = dynamics.complete(equations.system.kinematics, t, b.x, v, b.e, z)
@@ -224,7 +224,7 @@ class Sundials(ImplicitRun):
         }
 
     def advance(self) -> None:
-        """One step of IDA, taken again in halves where a contact may have been stepped over."""
+        """Take one step of IDA, again in halves where a contact may have been stepped over."""
         before, old, until = self._balance, self.t, min(self.until, self.stop)
         if self._watch.any:
             self._watch.note(self.balance().a)
@@ -237,15 +237,15 @@ class Sundials(ImplicitRun):
             self._restart(before.v, before.z)
             b = self._solved(until)
         self._balance = b
-        self.equations.near = b.e
-        self.ledger.look()
-        self.ledger.add(b.t - old)
+        self.equations.unwrap_from = b.e
+        self.energy_balance.look()
+        self.energy_balance.add(b.t - old)
         self._steps += 1
         if b.t >= self.until:
             self.keep()
 
     def _solved(self, until: float) -> Balance:
-        """The balance at the end of a step of IDA from the present one, at most to a time."""
+        """Return the balance at the end of a step of IDA from the present one, at most to a time."""
         equations, old = self.equations, self.t
         if not self._started:
             self._solver.init_step(old, *equations.start_values(self._balance.mu))

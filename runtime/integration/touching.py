@@ -1,26 +1,35 @@
-"""Ends steps of an explicit method where contacts begin and end: forces are not smooth there."""
+"""Ends steps of an explicit method where contacts, stops and tyres begin and end to act."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from flexel.base.arrays import Array
-from flexel.engine.near import rope_gaps
+from flexel.base.arrays import Array, Index
+from flexel.engine.contact_selection import every_gap
 from flexel.engine.tables import Tables
-from flexel.structure.moment import Moment
+from flexel.model.snapshot import Snapshot
 
 CLOSE = (
-    0.01  # share of a step, at its ends, in which a contact may begin or end: its error is of a higher order
+    1e-9  # share of a step, at its ends, in which a contact may begin or end: it shifts the rates by as much
+)
+BEYOND = (
+    1e-10  # the same, by which a step ends past that instant, so that the next one begins on the other side
 )
 TRIALS = 8  # of one step
+LEVELS: dict[
+    str, tuple[str, ...]
+] = {  # laws that begin to act where their deformation passes a parameter, or zero ("")
+    "stop": ("gap",),
+    "limits": ("low", "high"),
+    **dict.fromkeys(("vertical_tyre", "linear_tyre", "calspan_tyre", "magic_formula"), ("",)),
+}
 
 
-class Touching:
-    """Finds where a gap changes its sign within a step.
+class TouchingContacts:
+    """Finds where a gap changes its sign within a step, or a deformation passes the level at which a law begins to act.
 
     The estimates of the error of a step hold for smooth forces.  Those of a contact have a finite order at the
     instant at which it begins or ends, and the error may be much larger than the estimate.  So a step ends there.
-    The contacts of ropes are left out: their neighbours hold them, and forces change little where one of them begins.
 
     Parameters
     ----------
@@ -28,20 +37,24 @@ class Touching:
 
     Attributes
     ----------
-    rows : ndarray of int
-        Deformations that are gaps.
+    rows : ndarray of int (k,)
+        Deformations that are gaps, or that laws of `LEVELS` act on.
+    levels : ndarray (k,)
+        Their values where a contact begins.
     """
 
     def __init__(self, tables: Tables) -> None:
-        gaps = np.flatnonzero(np.array(tables.structure.kinds) == "gap")
-        self.rows = np.setdiff1d(gaps, rope_gaps(tables))
+        gaps = every_gap(tables)
+        found = [(gaps, np.zeros(gaps.size)), *_levels(tables)]
+        self.rows: Index = np.concatenate([rows for rows, _ in found])
+        self.levels: Array = np.concatenate([levels for _, levels in found])
 
-    def until(self, first: Moment, e: Array, h: float) -> float:
-        """The step [s] up to the first contact that begins or ends within a step; zero if there is none.
+    def until(self, first: Snapshot, e: Array, h: float) -> float:
+        """Return the step [s] up to the first contact that begins or ends within a step; zero if there is none.
 
         Parameters
         ----------
-        first : Moment
+        first : Snapshot
             At the beginning of the step.
         e : ndarray
             Deformations at its end.
@@ -50,18 +63,31 @@ class Touching:
         """
         if not self.rows.size:
             return 0.0
-        g0, g1, r0 = first.e[self.rows], e[self.rows], first.ed[self.rows]
+        g0, g1 = first.e[self.rows] - self.levels, e[self.rows] - self.levels
+        r0 = first.ed[self.rows]
         shares = [
             _root(*(float(v) for v in gap))
             for gap in zip(g0, h * r0, g1 - g0 - h * r0, strict=True)
             if gap[0] * (gap[0] + gap[1] + gap[2]) < 0
         ]
         share = min((s for s in shares if s > CLOSE), default=1.0)
-        return h * share if share < 1 - CLOSE else 0.0
+        return h * (share + BEYOND) if share < 1 - CLOSE else 0.0
+
+
+def _levels(tables: Tables) -> list[tuple[Index, Array]]:
+    """Return the deformations of the laws of `LEVELS`, and the values from which these act."""
+    found = []
+    for batch, p in zip(tables.laws, tables.parameters[1], strict=True):  # p: the parameters of a variant
+        for name in LEVELS.get(batch.spec.name, ()):
+            rows = batch.places["e"][:, 0]
+            at = [parameter.name for parameter in batch.spec.parameters].index(name) if name else 0
+            levels = np.swapaxes(p, 1, 2).reshape(-1, p.shape[1])[: rows.size, at]
+            found.append((rows, levels if name else np.zeros(rows.size)))
+    return found
 
 
 def _root(g: float, rate: float, bend: float) -> float:
-    """The first zero between 0 and 1 of g + rate s + bend s², which has opposite signs there."""
+    """Find the first zero between 0 and 1 of g + rate s + bend s², which has opposite signs there."""
     q = -(rate + np.copysign(np.sqrt(max(rate * rate - 4 * bend * g, 0.0)), rate)) / 2
     roots = [g / q if q else 1.0, q / bend if bend else 1.0]
     return float(min((s for s in roots if 0 < s <= 1), default=1.0))

@@ -1,43 +1,131 @@
-"""A few steps from the start of a motion, to see what the motion would take."""
+"""Some steps from the start of a motion, to see what the motion would take."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from flexel.base.errors import FlexelError
-from flexel.integration.driver import Run
-from flexel.structure.callbacks import Callback
+from flexel.engine.covered import FULL
+from flexel.integration.minimal import MinimalRun
+from flexel.model.callbacks import callbacks_of
 
 STEPS = 60  # of a trial at least
-LAST = 1 / 3  # of its steps, that are taken as typical
+LATER = 30  # more of them with the tolerances of later steps
+LAST, SHARE = 20, 0.1  # least number of steps that are taken as typical, and their share of a trial
+TYPICAL = (7 / 8) ** 8  # of all steps: there the length of steps that shrink as n^(-1/8) has its mean
+FALLS = 0.8  # of the estimate as the trial is twice as long, below which the motion begins with a transient
+LONGER = 4.0  # times its budget, which a trial may take while a transient dies out
 
 
-def evaluations(run: Run, more: float, budget: float = 0.0) -> float:
-    """Evaluations of the equations of motion that a motion takes if it goes on as it begins.
+class Trial:
+    """A motion as it begins.
+
+    Parameters
+    ----------
+    run : MinimalRun
+        That has not begun; it is of no use afterwards.
+    """
+
+    def __init__(self, run: MinimalRun) -> None:
+        self.run, self._end = run, float(run.times[-1])
+        self._times, self._counts = [run.t], [0]
+        run.begin()
+
+    @property
+    def ended(self) -> bool:
+        """Whether the motion is at its end."""
+        return self.run.t >= self._end
+
+    @property
+    def count(self) -> int:
+        """Evaluations so far."""
+        return self._counts[-1]
+
+    @property
+    def taken(self) -> int:
+        """Steps so far."""
+        return len(self._times) - 1
+
+    def go_on(self, steps: int, evaluations: float = 0.0) -> None:
+        """Go on until it has taken so many steps and evaluations, or has ended."""
+        while not self.ended and (self.taken < steps or self.count < evaluations):
+            self.run.forward()
+            self._times.append(self.run.t)
+            self._counts.append(self.run.statistics["evaluations"])
+
+    @property
+    def steps(self) -> float:
+        """Steps of the whole motion if it goes on as in the last ones."""
+        return self.taken + self._left
+
+    def evaluations(self, more: float) -> float:
+        """Evaluations of the whole motion, each step of which costs `more` than it evaluates."""
+        last = self._last
+        each = (self.count - self._counts[-1 - last]) / last
+        return self.count + self._left * each + self.steps * more
+
+    @property
+    def _left(self) -> float:
+        """Steps up to the end."""
+        last = self._last
+        return float(last * (self._end - self.run.t) / (self.run.t - self._times[-1 - last]))
+
+    @property
+    def _last(self) -> int:
+        """Number of steps that are taken as typical."""
+        return min(max(LAST, int(SHARE * self.taken)), self.taken)
+
+
+def explicit_evaluations(run: MinimalRun) -> float:
+    """Evaluations that a motion takes by DOP853, whose tolerances are smaller for later steps; see `Covered`.
 
     Infinite where laws call code of the user, which may keep something from call to call, and where the trial fails.
 
     Parameters
     ----------
-    run : Run
-        A motion that has not begun; it is of no use afterwards.
+    run : MinimalRun
+        That has not begun; it is of no use afterwards.
+    """
+    if callbacks_of(run.present.structure.laws):
+        return np.inf
+    try:
+        trial = Trial(run)
+        trial.go_on(STEPS)
+        later = TYPICAL * trial.steps
+        if later > FULL:
+            run.covered.skip(later)
+            trial.go_on(STEPS + LATER)
+        return trial.evaluations(0.0)
+    except FlexelError:
+        return np.inf
+
+
+def implicit_evaluations(run: MinimalRun, more: float, budget: float, wanted: float) -> float:
+    """The same by an implicit method.
+
+    Parameters
+    ----------
+    run : MinimalRun
+        That has not begun; it is of no use afterwards.
     more : float
         Evaluations that cost as much as the linear algebra of a step.
     budget : float
-        Evaluations that the trial may take in any case.
+        Evaluations that the trial takes in any case; more of them while a transient dies out.
+    wanted : float
+        Evaluations that the motion may take: with fewer a transient need not be waited for.
     """
-    if any(isinstance(law.code, Callback) for law in run.present.structure.laws):
+    if callbacks_of(run.present.structure.laws):
         return np.inf
-    end = float(run.times[-1])
-    times, counts = [run.t], [0]
     try:
-        run.begin()
-        while run.t < end and (len(times) <= STEPS or counts[-1] < budget):
-            run.forward()
-            times.append(run.t)
-            counts.append(run.statistics["evaluations"])
+        trial = Trial(run)
+        trial.go_on(STEPS // 2, budget / 2)
+        before = trial.evaluations(more)
+        trial.go_on(STEPS, budget)
+        found = trial.evaluations(more)
+        longest = LONGER * budget
+        while wanted <= found < FALLS * before and trial.count < longest and not trial.ended:
+            trial.go_on(0, min(2 * trial.count, longest))
+            before, found = found, trial.evaluations(more)
+        return found
     except FlexelError:
         return np.inf
-    last = int(np.ceil(LAST * (len(times) - 1)))
-    steps = last + last * (end - run.t) / (times[-1] - times[-1 - last])
-    return float(steps * ((counts[-1] - counts[-1 - last]) / last + more))

@@ -1,4 +1,4 @@
-"""Periodic coefficients over the speed: from three orbits to any speed, if they are polynomials of the speed."""
+"""Periodic coefficients as functions of the speed, obtained from three orbits if they are polynomials in the speed."""
 
 from __future__ import annotations
 
@@ -30,19 +30,21 @@ class SpeedFamily:
 
     @classmethod
     def through(cls, orbits: Sequence[Orbit]) -> SpeedFamily:
-        """The family through three orbits that differ only in their speed.
+        """Fit the family to three orbits that differ only in their speed.
 
         Raises
         ------
         LinearizationError
             The periods are not three different ones, or the coefficients are not such polynomials.
         """
-        if len({z.period for z in orbits}) != 3 or len(orbits) != 3:
+        if len({orbit.period for orbit in orbits}) != 3 or len(orbits) != 3:
             raise LinearizationError("a family of speeds needs three orbits of three different periods")
-        w = np.array([z.coefficients.omega for z in orbits])
+        w = np.array([orbit.coefficients.omega for orbit in orbits])
         V = np.linalg.inv(np.vander(w, 3, increasing=True))
-        M, C, K, F = (np.array([getattr(z.coefficients, n) for z in orbits]) for n in ("M", "C", "K", "F"))
-        polynomial = [np.tensordot(V, z, axes=1) for z in (C, K, F)]
+        M, C, K, F = (
+            np.array([getattr(orbit.coefficients, n) for orbit in orbits]) for n in ("M", "C", "K", "F")
+        )
+        polynomial = [np.tensordot(V, samples, axes=1) for samples in (C, K, F)]
         for name, off, of in (("M", M - M[0], M), ("C", polynomial[0][2] * w.max() ** 2, C)):
             if np.abs(off).max(initial=0.0) > 1e-7 * np.abs(of).max(initial=1e-300):
                 raise LinearizationError(
@@ -52,20 +54,25 @@ class SpeedFamily:
         return cls(M[0], polynomial[0][:2], polynomial[1], polynomial[2], orbits[0].coefficients.names)
 
     def at(self, omega: float) -> Coefficients:
-        """Coefficients at a speed [rad/s], which must be positive."""
+        """Evaluate the coefficients at a speed [rad/s], which must be positive."""
         if not 0 < omega < np.inf:
             raise LinearizationError(f"a speed of {omega:g} rad/s has no period; give positive speeds")
-        C, K, F = (_at(z, omega) for z in (self.C, self.K, self.F))
+        C, K, F = (_at(polynomial, omega) for polynomial in (self.C, self.K, self.F))
         M, *others = self._spectra
-        return Coefficients(omega, self.M, C, K, F, self.names, known=(M, *(_at(z, omega) for z in others)))
+        return Coefficients(
+            omega, self.M, C, K, F, self.names, known=(M, *(_at(polynomial, omega) for polynomial in others))
+        )
 
     @cached_property
     def _spectra(self) -> list[ComplexArray]:
-        """Fourier coefficients of M (ns, nd, nd), and of the polynomials' coefficients of C, K and F."""
-        return [spectrum(self.M), *(np.array([spectrum(y) for y in z]) for z in (self.C, self.K, self.F))]
+        """Compute the Fourier coefficients of M (ns, nd, nd), and of the polynomial coefficients of C, K and F."""
+        return [
+            spectrum(self.M),
+            *(np.array([spectrum(y) for y in samples]) for samples in (self.C, self.K, self.F)),
+        ]
 
 
 def _at(polynomial: Any, omega: float) -> Any:
-    """Value of a polynomial with arrays as coefficients (degree + 1, …)."""
+    """Evaluate a polynomial with arrays as coefficients (degree + 1, …)."""
     powers = omega ** np.arange(len(polynomial))
     return (powers @ polynomial.reshape(len(polynomial), -1)).reshape(polynomial.shape[1:])

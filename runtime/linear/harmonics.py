@@ -21,12 +21,14 @@ from flexel.linear import floquet
 _getrf: Any = get_lapack_funcs("getrf", dtype=np.float64)
 _getrs: Any = get_lapack_funcs("getrs", dtype=np.float64)
 _gecon: Any = get_lapack_funcs("gecon", dtype=np.float64)
-SINGULAR = 1e-14  # reciprocal condition of the scaled balance, below which it counts as singular
-BALANCED = 1e-14  # forces that are rounding, relative to those of a vibration of unit size
+SINGULAR_CONDITION = 1e-14  # reciprocal condition of the scaled balance below which it counts as singular
+NEUTRAL = 1e-11  # singular values of the scaled balance, relative to the largest, that count as zero
+NEUTRAL_RESIDUAL = 1e-8  # of a singular balance, relative to its right-hand side
+FORCE_ROUNDING = 1e-14  # forces that are rounding errors, relative to those of a vibration of unit size
 
 
 def fourier_sum(X: ComplexArray, omega: float, t: Array) -> tuple[Array, Array, Array]:
-    """Value, first and second rate (nt, nd) of Σ X_j exp(i j omega t), j = -k…k."""
+    """Return value, first and second rate (nt, nd) of Σ X_j exp(i j omega t), j = -k…k."""
     k = X.shape[0] // 2
     iw = 1j * omega * np.arange(-k, k + 1)
     E = np.exp(np.outer(t, iw))
@@ -34,7 +36,7 @@ def fourier_sum(X: ComplexArray, omega: float, t: Array) -> tuple[Array, Array, 
 
 
 def cosine_sine(series: Array, count: int) -> Array:
-    """Fourier coefficients [[a0, 0], [a1, b1], …] of one period: Σ a_j cos jωt + b_j sin jωt.
+    """Return the Fourier coefficients [[a0, 0], [a1, b1], …] of one period: Σ a_j cos jωt + b_j sin jωt.
 
     Raises
     ------
@@ -52,16 +54,16 @@ def cosine_sine(series: Array, count: int) -> Array:
 
 
 def refined(series: Array, factor: int = 16) -> Array:
-    """One period sampled `factor` times as densely, by its Fourier series: for extremes between the samples."""
+    """Resample one period `factor` times as densely by its Fourier series, to find extremes between the samples."""
     n = series.size
     c = np.fft.rfft(series)
     if n % 2 == 0:
-        c[-1] /= 2  # half of it belongs to the negative frequency, which is separate in the longer series
+        c[-1] /= 2  # half belongs to the negative frequency, which the longer series holds separately
     return np.asarray(np.fft.irfft(c, n * factor) * factor)
 
 
 def spectrum(values: Array) -> ComplexArray:
-    """Fourier coefficients (ns, …) of real samples (ns, …) of one period, those of negative frequencies last."""
+    """Return the Fourier coefficients (ns, …) of real samples (ns, …) of one period, negative frequencies last."""
     ns = values.shape[0]
     half = np.fft.rfft(values, axis=0) / ns
     return np.concatenate([half, half[1 : ns - half.shape[0] + 1][::-1].conj()])
@@ -70,7 +72,7 @@ def spectrum(values: Array) -> ComplexArray:
 def _balance(
     M: ComplexArray, C: ComplexArray, K: ComplexArray, F: ComplexArray, omega: float, k: int
 ) -> tuple[Array, Array]:
-    """Matrix and right-hand sides of the real equations for the real parts of X_0…X_k, then the imaginary of X_1…X_k.
+    """Assemble matrix and right-hand sides of the real equations for Re X_0…Re X_k, then Im X_1…Im X_k.
 
     The forces are F (ns, nd, forces). The equations are the real parts of the balances of the harmonics 0…k, and the
     imaginary ones of 1…k, with the conjugates for the negative harmonics.
@@ -78,7 +80,7 @@ def _balance(
     ns, nd = F.shape[:2]
     order = np.arange(-k, k + 1)
     iw, shift = (1j * omega * order)[:, None, None], (order[k:, None] - order) % ns
-    A = (M[shift] * iw + C[shift]) * iw + K[shift]  # of X_-k…X_k in the harmonics 0…k
+    A = (M[shift] * iw + C[shift]) * iw + K[shift]  # maps X_-k…X_k to the harmonics 0…k
     negative, positive = A[:, :k][:, ::-1], A[:, k + 1 :]
     by = np.concatenate([A[:, k : k + 1], positive + negative, 1j * (positive - negative)], axis=1)
     both = np.concatenate([by.real, by[1:].imag])
@@ -88,11 +90,22 @@ def _balance(
 
 
 def symmetric(parts: Array) -> ComplexArray:
-    """X_-k…X_k from the real parts of X_0…X_k and the imaginary ones of X_1…X_k."""
+    """Return X_-k…X_k from the real parts of X_0…X_k and the imaginary parts of X_1…X_k."""
     k = parts.shape[0] // 2
     X = parts[: k + 1].astype(complex)
     X[1:] += 1j * parts[k + 1 :]
     return np.concatenate([X[:0:-1].conj(), X])
+
+
+def _smallest(matrix: Array, rhs: Array) -> Array | None:
+    """Return the smallest solution of a singular balance; None if there is none."""
+    size = np.abs(matrix).max(axis=1)
+    scale = 1 / np.sqrt(np.maximum(size, NEUTRAL * size.max()))
+    right = scale[:, None] * rhs
+    scaled = scale[:, None] * matrix * scale
+    found = np.linalg.lstsq(scaled, right, rcond=NEUTRAL)[0]
+    off = np.abs(scaled @ found - right).max(initial=0.0)
+    return scale[:, None] * found if off <= NEUTRAL_RESIDUAL * np.abs(right).max(initial=0.0) else None
 
 
 @dataclass(frozen=True)
@@ -109,6 +122,9 @@ class Coefficients:
         The degrees of freedom.
     known : tuple of ndarray, optional
         The Fourier coefficients of M, C, K and F, if they are known already.
+    second : int, optional
+        Number of equations of second order, the first ones; all by default.  The others, of kinematic coordinates and
+        internal states, give the rates of these: their rows of M are zero, and C is one there.
     """
 
     omega: float
@@ -118,6 +134,7 @@ class Coefficients:
     F: Array
     names: tuple[str, ...]
     known: tuple[ComplexArray, ...] | None = field(default=None, repr=False, compare=False)
+    second: int | None = None
 
     @property
     def samples(self) -> int:
@@ -126,18 +143,18 @@ class Coefficients:
 
     @cached_property
     def spectra(self) -> tuple[ComplexArray, ...]:
-        """Fourier coefficients (ns, …) of M, C, K and F."""
-        return self.known or tuple(spectrum(z) for z in (self.M, self.C, self.K, self.F))
+        """Return the Fourier coefficients (ns, …) of M, C, K and F."""
+        return self.known or tuple(spectrum(samples) for samples in (self.M, self.C, self.K, self.F))
 
     def series(self, name: str, harmonics: int) -> Array:
-        """Fourier coefficients (harmonics + 1, 2, …) of M, C, K or F: cosine and sine parts, entry by entry."""
+        """Return Fourier coefficients (harmonics + 1, 2, …) of M, C, K or F: cosine and sine parts of each entry."""
         value = getattr(self, name)
         columns = value.reshape(self.samples, -1).T
-        found = np.array([cosine_sine(z, harmonics) for z in columns])
+        found = np.array([cosine_sine(column, harmonics) for column in columns])
         return np.moveaxis(found, 0, -1).reshape(harmonics + 1, 2, *value.shape[1:])
 
     def harmonic_balance(self, harmonics: int, accuracy: float | None = None) -> PeriodicVibration:
-        """Periodic solution with the given number of harmonics, by (2k+1) nd linear equations.
+        """Find the periodic solution with the given number of harmonics, by (2k+1) nd linear equations.
 
         Parameters
         ----------
@@ -149,6 +166,10 @@ class Coefficients:
         LinearizationError
             Too few samples for the harmonics; a singular balance (a resonance without damping); too few harmonics
             for the accuracy; its attribute ``reached`` is the best solution.
+
+        Notes
+        -----
+        Where kinematic coordinates enter no force, their means are as small as possible.
         """
         X = self.responses(harmonics, self.F)[0]
         found = self.vibration(X)
@@ -156,7 +177,7 @@ class Coefficients:
         return found
 
     def responses(self, harmonics: int, *forces: Array) -> ComplexArray:
-        """Fourier coefficients (forces, 2 harmonics + 1, nd) of the responses to periodic forces (ns, nd) each."""
+        """Return Fourier coefficients (forces, 2 harmonics + 1, nd) of the responses to periodic forces (ns, nd)."""
         k, nd, ns = harmonics, self.F.shape[1], self.samples
         if k < 0 or ns < 4 * k + 1:
             raise LinearizationError(
@@ -170,25 +191,31 @@ class Coefficients:
         return np.array([symmetric(column.reshape(2 * k + 1, nd)) for column in parts.T])
 
     def balanced(self, size: Array) -> bool:
-        """Whether the forces F are rounding beside those of a vibration of natural size (nd,)."""
+        """Whether the forces F are rounding errors relative to those of a vibration of natural size (nd,)."""
         dynamic = sum(
-            np.abs(z).max(axis=0) * self.omega**power for power, z in enumerate((self.K, self.C, self.M))
+            np.abs(samples).max(axis=0) * self.omega**power
+            for power, samples in enumerate((self.K, self.C, self.M))
         )
-        return bool(np.all(np.abs(self.F) <= BALANCED * (dynamic @ size)))
+        return bool(np.all(np.abs(self.F) <= FORCE_ROUNDING * (dynamic @ size)))
 
     def vibration(self, X: ComplexArray) -> PeriodicVibration:
-        """The vibration with these Fourier coefficients (2k + 1, nd), and an estimate of what they neglect."""
+        """Return the vibration with these Fourier coefficients (2k + 1, nd), with an estimate of its error."""
         return PeriodicVibration(self, X, self._neglected(X))
 
     def _solve(self, matrix: Array, rhs: Array) -> Array:
-        """Solutions of the balance for columns, its rows and columns scaled by the diagonal."""
+        """Solve the balance for the given columns, its rows and columns scaled by the diagonal."""
+        # coordinates that enter no force, such as where a wheel is, leave their means open
+        whole = None if self.second is None else matrix.copy()
         scale = 1 / np.sqrt(np.maximum(np.abs(matrix).max(axis=1), 1e-300))
         matrix *= scale[:, None] * scale
         norm = np.abs(matrix).sum(axis=1).max()
-        # transposed, as it is stored in memory
+        # transposed, to match the memory layout
         lu, pivots, info = _getrf(matrix.T, overwrite_a=True)
         rcond = 0.0 if info else float(_gecon(lu, norm)[0])
-        if not rcond > SINGULAR:
+        if not rcond > SINGULAR_CONDITION:
+            neutral = None if whole is None else _smallest(whole, rhs)
+            if neutral is not None:
+                return neutral
             raise LinearizationError(
                 f"harmonic balance at {self.omega:g} rad/s is singular: a resonance without damping, or a degree of "
                 f"freedom without stiffness, among {', '.join(self.names)}; add damping, or omit this speed"
@@ -196,22 +223,24 @@ class Coefficients:
         return np.asarray(scale[:, None] * _getrs(lu, pivots, scale[:, None] * rhs, trans=1)[0])
 
     def _neglected(self, X: ComplexArray) -> float:
-        """Amplitude of the neglected harmonics: the response to their residual with the mean coefficients."""
+        """Estimate the amplitude of the neglected harmonics: the response of the mean system to their residual."""
         k = X.shape[0] // 2
         w = PeriodicVibration(self, X, 0.0)
         q, qd, qdd = w.samples()
-        r = self.F - sum(np.einsum("sij,sj->si", z, y) for z, y in ((self.M, qdd), (self.C, qd), (self.K, q)))
+        r = self.F - sum(
+            np.einsum("sij,sj->si", matrix, y) for matrix, y in ((self.M, qdd), (self.C, qd), (self.K, q))
+        )
         j = np.arange(k + 1, (self.samples - 1) // 2 + 1)
         if not j.size:
             return 0.0
         R = np.fft.rfft(r, axis=0)[j] / self.samples
         s = 1j * self.omega * j[:, None, None]
-        M, C, K = (z.mean(axis=0) for z in (self.M, self.C, self.K))
+        M, C, K = (samples.mean(axis=0) for samples in (self.M, self.C, self.K))
         driven = np.linalg.solve(s * s * M + s * C + K, R[..., None])[..., 0]
         return float(2 * np.abs(driven).max(axis=1).sum())
 
     def quasi_static(self) -> Array:
-        """Solution (ns, nd) of K q = F at every sampled time: the quasi-static response, without resonance."""
+        """Solve K q = F (ns, nd) at every sampled time: the quasi-static response, without resonance."""
         try:
             return np.asarray(np.linalg.solve(self.K, self.F[..., None])[..., 0])
         except np.linalg.LinAlgError as error:
@@ -220,7 +249,7 @@ class Coefficients:
             ) from error
 
     def floquet_multipliers(self, tolerance: float = 1e-9) -> ComplexArray:
-        """Eigenvalues (2 nd,) of the transition matrix of (q', q) over one period, largest modulus first.
+        """Compute the eigenvalues of the transition matrix of (q_d', q) over one period, largest modulus first.
 
         If all are below one in modulus, small disturbances decay.
 
@@ -234,7 +263,7 @@ class Coefficients:
         LinearizationError
             If the tolerance is not met with the shortest steps.
         """
-        return floquet.multipliers(self.omega, self.M, self.C, self.K, tolerance)
+        return floquet.multipliers(self.omega, self.M, self.C, self.K, tolerance, self.second)
 
 
 @dataclass(frozen=True)
@@ -265,11 +294,11 @@ class PeriodicVibration:
         return self.neglected / largest if largest else 0.0
 
     def at(self, t: Array) -> tuple[Array, Array, Array]:
-        """Degrees of freedom, their rates and accelerations (nt, nd) at times t (nt,) from the start of the period."""
+        """Return degrees of freedom, rates and accelerations (nt, nd) at times t (nt,) from the start of the period."""
         return fourier_sum(self.X, self.coefficients.omega, t)
 
     def samples(self) -> tuple[Array, Array, Array]:
-        """The same at the sampled times of the coefficients."""
+        """Return the same at the sampled times of the coefficients."""
         ns, omega, k = self.coefficients.samples, self.coefficients.omega, self.harmonics
         if 2 * k >= ns:
             return self.at(np.asarray(np.arange(ns) * 2 * np.pi / (omega * ns)))

@@ -1,4 +1,4 @@
-"""A periodic motion of a system, sampled and linearized along its path: the nominal motion, or any given one.
+"""Samples a periodic motion of a system and linearizes along it: the nominal motion, or any given one.
 
 Nothing is differentiated numerically: states, coefficients and residual forces come from the system itself.
 """
@@ -13,12 +13,13 @@ import numpy as np
 from flexel.base.arrays import Array
 from flexel.base.errors import LinearizationError
 from flexel.linear.harmonics import Coefficients
-from flexel.mechanics.core import Core
-from flexel.mechanics.linearization import Linearization
 from flexel.mechanics.linearize import linearize_all
+from flexel.mechanics.linearized_system import LinearizedSystem
 from flexel.mechanics.states import state_of
-from flexel.structure.moment import Moment
-from flexel.structure.state import State
+from flexel.mechanics.timed_laws import check_period
+from flexel.model.snapshot import Snapshot
+from flexel.model.state import State
+from flexel.system import CoreSystem
 
 
 @dataclass(frozen=True)
@@ -30,14 +31,14 @@ class Orbit:
     period : float
         [s]
     states : list of State
-    linearizations : list of Linearization
+    linearizations : list of LinearizedSystem
     coefficients : Coefficients
         F is the residual force of the held or given motion: zero if it is an actual motion.
     """
 
     period: float
     states: list[State]
-    linearizations: list[Linearization]
+    linearizations: list[LinearizedSystem]
     coefficients: Coefficients
 
     @property
@@ -46,16 +47,16 @@ class Orbit:
         return np.array([state.t for state in self.states])
 
     def __getitem__(self, name: str) -> Array:
-        """Values (ns,) of a named quantity over the period."""
+        """Return the values (ns,) of a named quantity over the period."""
         return np.array([state[name] for state in self.states])
 
     def coordinates(self, node: str) -> Array:
-        """Coordinates (ns, …) of a node."""
+        """Return the coordinates (ns, …) of a node."""
         return np.array([state.position(node) for state in self.states])
 
     def sensitivity(self, node: str) -> Array:
-        """Derivatives (ns, …, nd) of a node's coordinates with respect to the degrees of freedom; zero for fixed
-        ones.
+        """Return the derivatives (ns, …, nd) of a node's coordinates with respect to the degrees of freedom; zero for
+        fixed coordinates.
         """
         structure, nd = self.states[0].structure, len(self.coefficients.names)
         places = structure.places(node)
@@ -65,7 +66,7 @@ class Orbit:
         return found
 
     def force_by_speed(self) -> Array:
-        """Derivative (ns, nd) of F by the logarithm of the speed at which the motion is run through.
+        """Return the derivative (ns, nd) of F with respect to the logarithm of the speed of the motion.
 
         All rates are proportional to the speed and all second rates to its square; loads depend on the phase alone.
         """
@@ -77,12 +78,12 @@ class Orbit:
         return found
 
     def displacements(self, node: str, q: Array) -> Array:
-        """Small displacements (ns, …) of a node in a vibration q (ns, nd) about the orbit, to first order."""
+        """Return the small displacements (ns, …) of a node for a vibration q (ns, nd), to first order."""
         return np.asarray(np.einsum("sij,sj->si", self.sensitivity(node), q))
 
 
 def orbit(
-    system: Core,
+    system: CoreSystem,
     period: float,
     samples: int,
     motion: Callable[[Array], tuple[Array, Array, Array]] | None = None,
@@ -95,7 +96,7 @@ def orbit(
     period : float
         [s]
     samples : int
-        Number of equidistant times, from that of `start` on.
+        Number of equidistant times, starting at `start`.
     motion : callable, optional
         Degrees of freedom, rates and accelerations (ns, nd) at times (ns,); by default the degrees of freedom are held
         at their initial values, while the prescribed motions continue: the nominal motion.
@@ -106,7 +107,7 @@ def orbit(
     ------
     LinearizationError
         A period that is not a positive time; a system with kinematic coordinates, whose values are not determined
-        by periodicity.
+        by periodicity; a law that depends on time and does not have the period.
     PositionError
         A position that the mechanism cannot reach, with its time.
     """
@@ -129,17 +130,39 @@ def orbit(
     q0, nd = state.q, system.roles.nd
     still = np.zeros((samples, nd))
     q, qd, qdd = motion(t) if motion else (np.tile(q0, (samples, 1)), still, still)
-    states, F = [], np.zeros((samples, nd))
-    for i in range(samples):
-        state = _driven(system, float(t[i]), q[i], qd[i], qdd[i], state)
-        F[i] = system.kinematics.choice.multiplier[system.roles.dynamic]  # the driving forces
-        states.append(state)
+    states, F = driven_states(system, t, q, qd, qdd, Snapshot.of(state), state.z)
+    check_period(system.evaluation, states, period)
     lins = linearize_all(system.kinematics, states)
-    M, C, K = (np.array([getattr(z, name) for z in lins]) for name in ("M", "C", "K"))
+    M, C, K = (np.array([getattr(lin, name) for lin in lins]) for name in ("M", "C", "K"))
     return Orbit(period, states, lins, Coefficients(2 * np.pi / period, M, C, K, F, system.dynamic))
 
 
-def _driven(system: Core, t: float, q: Array, qd: Array, qdd: Array, near: State) -> State:
-    """State in which the degrees of freedom move as given; its stresses and reactions contain the driving forces."""
-    place = Moment.of(near).still(t)
-    return state_of(system.kinematics, t, q, qd, near.z, place, qdd)
+def driven_states(
+    system: CoreSystem, t: Array, q: Array, qd: Array, qdd: Array, start: Snapshot, z: Array
+) -> tuple[list[State], Array]:
+    """Return the states in which the degrees of freedom move as given, and the forces that drive them.
+
+    Parameters
+    ----------
+    t : ndarray (ns,)
+        Times [s].
+    q, qd, qdd : ndarray (ns, nd)
+        Degrees of freedom, their first and second rates.
+    start : Snapshot
+        Start of the search for the first position.
+    z : ndarray (nz,)
+        Internal states of laws.
+
+    Returns
+    -------
+    list of State, ndarray (ns, nd)
+        The reactions of the states include the driving forces.  These are what the motion lacks to be a true one:
+        F of the equations of small vibrations about it.
+    """
+    states, forces = [], np.zeros((t.size, system.roles.nd))
+    for i in range(t.size):
+        at = start.still(float(t[i]))
+        states.append(state_of(system.kinematics, at.t, q[i], qd[i], z, at, qdd[i]))
+        forces[i] = system.kinematics.choice.multiplier[system.roles.dynamic]
+        start = Snapshot.of(states[-1])
+    return states, forces

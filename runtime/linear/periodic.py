@@ -1,7 +1,7 @@
-"""Periodic motion of any model with periodic prescribed motions: linearized, nonlinear, and over a range of speeds.
+"""Computes periodic motions under periodic prescribed motions: linearized, nonlinear, and over a range of speeds.
 
-Small vibrations about the nominal motion come from harmonic balance of the linearized equations; the full nonlinear
-periodic motion from Newton's method with the same coefficients, evaluated along the current guess, as Jacobian.  If
+Small vibrations about the nominal motion follow from harmonic balance of the linearized equations; the full nonlinear
+periodic motion from Newton's method, with the same coefficients along the current iterate as its Jacobian.  If
 a range of speeds cannot be completed, the results so far are kept, with a warning that says where and why it stopped.
 Source: Schwab and Meijaard, "SPACAR" (2004); Cameron and Griffin (1989) for alternating frequency and time.
 """
@@ -27,8 +27,8 @@ from flexel.linear.harmonics import (
     refined,
 )
 from flexel.linear.orbits import Orbit, orbit
-from flexel.mechanics.core import Core
 from flexel.mechanics.newton import newton
+from flexel.system import CoreSystem
 
 __all__ = [
     "Coefficients",
@@ -46,22 +46,22 @@ __all__ = [
 ]
 
 TOLERANCE = 1e-9  # largest last change, relative to the largest amplitude; convergence is quadratic
-STALLED = 1e-7  # the same, when rounding prevents further progress
-USELESS = 1e6  # a step whose change is larger by this factor does not converge
+STALLED_TOLERANCE = 1e-7  # the same, when rounding prevents further progress
+MAX_GROWTH = 1e6  # a step whose change is larger by this factor does not converge
 MAX_ITERATIONS = 30
-HALVINGS = 4  # halvings of a step in speed
+MAX_HALVINGS = 4  # halvings of a step in speed
 Result = TypeVar("Result")
 
 
 def periodic_motion(
-    system: Core,
+    system: CoreSystem,
     period: float,
     harmonics: int,
     start: ComplexArray | None = None,
     samples: int | None = None,
     accuracy: float | None = None,
 ) -> tuple[Orbit, PeriodicVibration]:
-    """Nonlinear periodic motion by harmonic balance, Newton's method with the analytic Jacobian.
+    """Compute the nonlinear periodic motion by harmonic balance, using Newton's method with the analytic Jacobian.
 
     Parameters
     ----------
@@ -100,7 +100,7 @@ def periodic_motion(
 
     def evaluate(X: ComplexArray) -> tuple[tuple[Orbit, ComplexArray], float]:
         motion = vibrating(system, X, period, ns)
-        # Where a Floquet multiplier is one, nothing determines the change that rounding would ask for.
+        # Where a Floquet multiplier is one, the change that rounding errors would cause is undetermined.
         if motion.coefficients.balanced(size):
             return (motion, np.zeros_like(X)), 0.0
         step = motion.coefficients.responses(k, motion.coefficients.F)[0]
@@ -108,9 +108,9 @@ def periodic_motion(
 
     def move(X: ComplexArray, equations: tuple[Orbit, ComplexArray]) -> ComplexArray | None:
         step = equations[1]
-        return None if relative_size(step, X) > USELESS else X + step
+        return None if relative_size(step, X) > MAX_GROWTH else X + step
 
-    found = newton(first, evaluate, move, tolerance=TOLERANCE, stalled=STALLED, most=MAX_ITERATIONS)
+    found = newton(first, evaluate, move, tolerance=TOLERANCE, stalled=STALLED_TOLERANCE, most=MAX_ITERATIONS)
     motion, step = found.equations
     if not found.converged:
         raise PositionError(
@@ -125,12 +125,12 @@ def periodic_motion(
 
 
 def relative_size(change: ComplexArray, X: ComplexArray) -> float:
-    """The largest change of a Fourier coefficient, relative to the largest of them."""
+    """Return the largest change of a Fourier coefficient, relative to the largest coefficient."""
     return float(np.abs(change).max()) / max(float(np.abs(X).max()), 1e-3)
 
 
-def vibrating(system: Core, X: ComplexArray, period: float, samples: int) -> Orbit:
-    """The motion whose degrees of freedom have the Fourier coefficients X (2k + 1, nd), and its residual force."""
+def vibrating(system: CoreSystem, X: ComplexArray, period: float, samples: int) -> Orbit:
+    """Return the motion for Fourier coefficients X (2k + 1, nd) of the degrees of freedom, and its residual force."""
     t0, omega = system.at_rest.t, 2 * np.pi / period
     return orbit(system, period, samples, lambda t: fourier_sum(X, omega, t - t0))
 
@@ -155,7 +155,7 @@ class SpeedRange(Generic[Result]):
 
 
 def speed_range(family: Callable[[float], Result], speeds: Sequence[float] | Array) -> SpeedRange[Result]:
-    """Evaluate a function at every speed; stop at the first singular one, and keep the results so far.
+    """Evaluate a function at every speed; stop at the first singular speed, and keep the results so far.
 
     Examples
     --------
@@ -173,20 +173,20 @@ def speed_range(family: Callable[[float], Result], speeds: Sequence[float] | Arr
 def _cut_short(
     speeds: Sequence[float] | Array, found: list[Result], omega: float, error: FlexelError
 ) -> SpeedRange[Result]:
-    """The results up to a speed that fails, with a warning."""
+    """Return the results up to a speed that fails, with a warning."""
     message = f"stopped at {omega:g} rad/s: {error}"
     warnings.warn(message, IncompleteWarning, stacklevel=3)
     return SpeedRange(np.array(speeds[: len(found)], dtype=float), found, message)
 
 
 def nonlinear_range(
-    system: Callable[[float], Core],
+    system: Callable[[float], CoreSystem],
     speeds: Sequence[float] | Array,
     harmonics: int,
     measure: Callable[[Orbit, PeriodicVibration], Result],
     accuracy: float | None = None,
 ) -> SpeedRange[Result]:
-    """Nonlinear periodic motions over a range of speeds, each started from its neighbours.
+    """Compute nonlinear periodic motions over a range of speeds, each started from an adjacent one.
 
     Parameters
     ----------
@@ -215,13 +215,13 @@ def nonlinear_range(
 
 
 def _reach(
-    system: Callable[[float], Core],
+    system: Callable[[float], CoreSystem],
     omega: float,
     harmonics: int,
     known: list[tuple[float, ComplexArray]],
     accuracy: float | None,
 ) -> tuple[Orbit, PeriodicVibration]:
-    """The motion at a speed, through intermediate speeds if necessary; adds the solutions to `known`."""
+    """Compute the motion at a speed, through intermediate speeds if necessary; add the solutions to `known`."""
     if not 0 < omega < np.inf:
         raise LinearizationError(f"a speed of {omega:g} rad/s has no period; give positive speeds")
     parts, halvings = 1, 0
@@ -234,7 +234,7 @@ def _reach(
             )
         except PositionError:
             halvings += 1
-            if not known or halvings > HALVINGS:
+            if not known or halvings > MAX_HALVINGS:
                 raise
             parts *= 2
             continue
@@ -245,7 +245,7 @@ def _reach(
 
 
 def _guess(known: list[tuple[float, ComplexArray]], omega: float) -> ComplexArray | None:
-    """Linear extrapolation of the last two solutions."""
+    """Extrapolate the last two solutions linearly."""
     if len(known) < 2 or known[-1][0] == known[-2][0]:
         return known[-1][1] if known else None
     (a, X), (b, Y) = known

@@ -1,4 +1,4 @@
-"""Sampled controllers in the linearized equations: the closed loop from one instant to the next."""
+"""Linearizes the closed loop of sampled controllers from one instant to the next."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ from flexel.base.callers import outside
 from flexel.base.copies import Portable
 from flexel.base.errors import LinearizationError, UnsteadyWarning
 from flexel.linear.sensors import state_space
-from flexel.mechanics.linearization import Linearization
+from flexel.mechanics.linearized_system import LinearizedSystem
 from flexel.mechanics.steadiness import UNSTEADY
-from flexel.structure.controllers import SAME, Controller
+from flexel.model.controller import SAME, Controller
 
-FIXED = 1e-6  # change of an output or state at an instant, relative to it, that counts as none
-MOST_PERIODS = 1000  # of all controllers, until their instants repeat
+CHANGE_TOLERANCE = 1e-6  # relative change of an output or state at an instant that counts as none
+MAX_PERIODS = 1000  # of all controllers, until their instants repeat
 
 
 @dataclass(frozen=True)
@@ -31,8 +31,8 @@ class SampledLoop(Portable):
     ----------
     state_matrix : ndarray (ns, ns)
     states : tuple of str (ns,)
-        Those of the linearization: rates and values of the degrees of freedom, and internal states, including the held
-        and delayed outputs and the own states of the controllers.
+        Those of the linearization: rates and values of the degrees of freedom, and internal states, including held
+        and delayed outputs and the controllers' states.
     period : float
         Time after which all instants repeat [s]: the period, or the least common multiple of several.
     """
@@ -42,7 +42,7 @@ class SampledLoop(Portable):
     period: float
 
     def eigenvalues(self) -> ComplexArray:
-        """Eigenvalues of one period, the largest first; the loop is stable if all are less than one in magnitude.
+        """Compute the eigenvalues of one period, largest first; the loop is stable if all are below one in magnitude.
 
         An output that is replaced at each instant adds a zero.
         """
@@ -55,8 +55,8 @@ class SampledLoop(Portable):
         return bool(np.all(np.abs(np.linalg.eigvals(self.state_matrix)) < 1.0))
 
 
-def sampled_loop(lin: Linearization) -> SampledLoop:
-    """The loop of all sampled controllers of a linearization; see `Linearization.sampled`."""
+def sampled_loop(lin: LinearizedSystem) -> SampledLoop:
+    """Build the loop of all sampled controllers of a linearization; see `Linearization.sampled`."""
     controllers = [c for c in lin.state.structure.controllers if c.period is not None]
     if not controllers:
         raise LinearizationError(
@@ -66,7 +66,7 @@ def sampled_loop(lin: Linearization) -> SampledLoop:
     period, counts = _common_period(controllers)
     size = len(lin.states)
     places = {name: size - len(lin.internal) + i for i, name in enumerate(lin.internal)}
-    changes: list[tuple[float, Array]] = []  # times, and what is added to a deviation then
+    changes: list[tuple[float, Array]] = []  # times, and the changes of a deviation at them
     for c, count in zip(controllers, counts, strict=True):
         sample, times = _sample(lin, c, places), [period * i / count for i in range(count)]
         changes += [(t, sample) for t in times]
@@ -78,7 +78,7 @@ def sampled_loop(lin: Linearization) -> SampledLoop:
     )
 
 
-def _check_fixed(lin: Linearization, controllers: list[Controller]) -> None:
+def _check_fixed(lin: LinearizedSystem, controllers: list[Controller]) -> None:
     """Warn of a state that is not a fixed point: it accelerates, or a controller would change its outputs or state."""
     state, index = lin.state, lin.state.structure.internal
     change = "the state accelerates" if lin.acceleration > UNSTEADY else ""
@@ -86,9 +86,9 @@ def _check_fixed(lin: Linearization, controllers: list[Controller]) -> None:
         names = (*c.shown, *c.own)
         now = np.array([state.z[index[name]] for name in names])
         after = np.concatenate(c.advanced(state.t, c.measured(state), c.remembered(state)))
-        off = np.abs(after - now) - FIXED * np.maximum(np.abs(after), np.abs(now))
+        off = np.abs(after - now) - CHANGE_TOLERANCE * np.maximum(np.abs(after), np.abs(now))
         worst = int(np.argmax(off))
-        if off[worst] > FIXED:
+        if off[worst] > CHANGE_TOLERANCE:
             change = f"{c.owner} would change '{names[worst]}' from {now[worst]:.4g} to {after[worst]:.4g}"
     if change:
         warnings.warn(
@@ -100,11 +100,11 @@ def _check_fixed(lin: Linearization, controllers: list[Controller]) -> None:
 
 
 def _product(A: Array, changes: list[tuple[float, Array]], period: float, same: float) -> Array:
-    """The matrix of a period: changes at the same time add up, as all depend on what was before."""
+    """Compute the matrix of a period: changes at the same time add up, as all depend on the deviation before it."""
     flows: dict[int, Array] = {}
     unit = np.eye(len(A))
     loop, change, t = unit, np.zeros_like(A), 0.0
-    for later, more in [*sorted(changes, key=lambda z: z[0]), (period, np.zeros_like(A))]:
+    for later, more in [*sorted(changes, key=lambda change: change[0]), (period, np.zeros_like(A))]:
         if later - t > same:
             step = round((later - t) / same)
             if step not in flows:
@@ -115,27 +115,31 @@ def _product(A: Array, changes: list[tuple[float, Array]], period: float, same: 
 
 
 def _common_period(controllers: list[Controller]) -> tuple[float, list[int]]:
-    """The time after which all instants repeat [s], and the periods of each controller in it."""
+    """Return the time after which all instants repeat [s], and the periods of each controller within it."""
     periods = [c.period for c in controllers if c.period is not None]
-    ratios = [Fraction(z / periods[0]).limit_denominator(MOST_PERIODS) for z in periods]
-    whole = Fraction(lcm(*(z.numerator for z in ratios)), gcd(*(z.denominator for z in ratios)))
-    counts = [int(whole / z) if z else 0 for z in ratios]
-    exact = all(abs(float(z) * periods[0] - T) <= SAME * T for z, T in zip(ratios, periods, strict=True))
-    if not exact or sum(counts) > MOST_PERIODS:
+    ratios = [Fraction(period / periods[0]).limit_denominator(MAX_PERIODS) for period in periods]
+    whole = Fraction(
+        lcm(*(ratio.numerator for ratio in ratios)), gcd(*(ratio.denominator for ratio in ratios))
+    )
+    counts = [int(whole / ratio) if ratio else 0 for ratio in ratios]
+    exact = all(
+        abs(float(ratio) * periods[0] - T) <= SAME * T for ratio, T in zip(ratios, periods, strict=True)
+    )
+    if not exact or sum(counts) > MAX_PERIODS:
         given = ", ".join(f"'{c.name}' {c.period:g} s" for c in controllers)
         raise LinearizationError(
-            f"sampled: the periods ({given}) have no common multiple within {MOST_PERIODS} periods; give periods that "
+            f"sampled: the periods ({given}) have no common multiple within {MAX_PERIODS} periods; give periods that "
             "are multiples of one, or simulate"
         )
     return float(whole) * periods[0], counts
 
 
-def _sample(lin: Linearization, c: Controller, places: dict[str, int]) -> Array:
-    """What a controller changes at an instant, δs after less δs before, as a matrix."""
+def _sample(lin: LinearizedSystem, c: Controller, places: dict[str, int]) -> Array:
+    """Return the change made by a controller at an instant, δs after less δs before, as a matrix."""
     size, nu, ny = len(lin.states), len(c.outputs), len(c.inputs)
     unit = np.eye(size)
     own, held, waiting = (
-        np.array([places[z] for z in names], dtype=np.intp) for names in (c.own, c.shown, c.waiting)
+        np.array([places[name] for name in names], dtype=np.intp) for names in (c.own, c.shown, c.waiting)
     )
     slopes = c.slopes(lin.state)
     measured = state_space(lin, (), c.inputs)[2]
@@ -151,7 +155,7 @@ def _sample(lin: Linearization, c: Controller, places: dict[str, int]) -> Array:
 
 
 def _release(c: Controller, places: dict[str, int], size: int) -> Array:
-    """What changes when delayed outputs take effect, as a matrix."""
+    """Return the change when delayed outputs take effect, as a matrix."""
     found = np.zeros((size, size))
     for name, waiting in zip(c.shown, c.waiting[: len(c.outputs)], strict=True):
         found[places[name], places[waiting]] = 1.0

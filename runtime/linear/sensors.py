@@ -1,4 +1,4 @@
-"""State-space form of a linearization, with named inputs and outputs; every output is differentiated."""
+"""Builds the state-space form of a linearization with named inputs and outputs; every output is differentiated."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ import numpy as np
 from flexel.base.arguments import names, unknown
 from flexel.base.arrays import Array
 from flexel.base.errors import LinearizationError, ModelError
-from flexel.linear.inputs import Inputs
-from flexel.mechanics.linearization import Linearization
+from flexel.linear.state_space_inputs import Inputs
+from flexel.mechanics.linearized_system import LinearizedSystem
 
 
 @dataclass(frozen=True)
@@ -28,13 +28,13 @@ class Variations:
 
 
 def state_space(
-    lin: Linearization, inputs: Sequence[str], outputs: Sequence[str]
+    lin: LinearizedSystem, inputs: Sequence[str], outputs: Sequence[str]
 ) -> tuple[Array, Array, Array, Array]:
-    """State-space matrices; see `Linearization.state_space`."""
+    """Build the state-space matrices; see `Linearization.state_space`."""
     given, outputs = Inputs.of(lin, inputs), names(outputs, "outputs")
-    loads = [z for i, z in enumerate(given.quantities) if i not in given.driven]
+    loads = [quantity for i, quantity in enumerate(given.quantities) if i not in given.driven]
     driven = [lin.prescribed.index(given.quantities[i]) for i in given.driven]
-    place = {z: i for i, z in enumerate(given.quantities)}
+    place = {quantity: i for i, quantity in enumerate(given.quantities)}
     nd, nq, nu = len(lin.dynamic), len(lin.dofs), len(driven)
     nz = len(lin.internal)
     own, ni = nd + nq + nz, len(given.quantities)
@@ -73,8 +73,8 @@ def state_space(
     return given.by_displacement((rates[:, :ns], rates[:, ns:], Y[:, :ns], Y[:, ns:]), own, outputs)
 
 
-def _output(lin: Linearization, d: Variations, name: str) -> Array:
-    """Row of the output matrix for one named quantity."""
+def _output(lin: LinearizedSystem, d: Variations, name: str) -> Array:
+    """Return the row of the output matrix for one named quantity."""
     structure, T, J = lin.state.structure, lin.tangents, lin.state.J
     nf = structure.nf
     if name in structure.internal:
@@ -82,7 +82,7 @@ def _output(lin: Linearization, d: Variations, name: str) -> Array:
     if name.startswith("force:"):
         return _force(lin, d, structure.find(name.removeprefix("force:")))
     if ":" in name and name.rstrip("'") not in structure.index:
-        raise ModelError(unknown(name, [f"force:{z}" for z in structure.index]))
+        raise ModelError(unknown(name, [f"force:{quantity}" for quantity in structure.index]))
     i = structure.find(name.rstrip("'"))
     order = len(name) - len(name.rstrip("'"))
     if order == 0:
@@ -96,8 +96,8 @@ def _output(lin: Linearization, d: Variations, name: str) -> Array:
     raise LinearizationError(f"output '{name}': only first and second rates exist; use at most two primes")
 
 
-def _force(lin: Linearization, d: Variations, i: int) -> Array:
-    """Variation of a stress (law and constraint parts) or of a reaction."""
+def _force(lin: LinearizedSystem, d: Variations, i: int) -> Array:
+    """Return the variation of a stress (law and constraint parts) or of a reaction."""
     state, T = lin.state, lin.tangents
     structure, roles, J = state.structure, state.roles, state.J
     nf, m, k = structure.nf, structure.m, structure.k

@@ -1,6 +1,6 @@
-"""Eigenvalues over a parameter as branches: each is followed by the shape of its mode, not by its order.
+"""Tracks eigenvalues over a parameter as branches, each followed by the shape of its mode, not by its order.
 
-From one value of the parameter to the next, shapes are compared by left and right eigenvectors: |l₁ r₂| |l₂ r₁| over
+Between adjacent values of the parameter, shapes are compared by left and right eigenvectors: |l₁ r₂| |l₂ r₁| over
 |l₁ r₁| |l₂ r₂| is one for a mode and itself and zero for two modes of one matrix, whatever the units of the states.
 Where shapes are not conclusive (equal eigenvalues, two that meet and become a pair) the linear continuation of the
 eigenvalues decides.
@@ -20,9 +20,10 @@ from scipy.optimize import brentq, linear_sum_assignment
 
 from flexel.base.arrays import Array, ComplexArray, Index
 
-NEAR = 1e-6  # relative difference below which eigenvalues count as equal, and their vectors as arbitrary
-ZERO = 1e-7  # of the largest eigenvalue: smaller real parts may come from rounding
-ALIKE = 0.1  # likeness of two shapes below which one does not continue the other
+# Relative difference below which eigenvalues count as equal, and their vectors as arbitrary.
+EQUAL_TOLERANCE = 1e-6
+ZERO_TOLERANCE = 1e-7  # of the largest eigenvalue: smaller real parts may come from rounding
+MIN_SIMILARITY = 0.1  # similarity of two shapes below which one does not continue the other
 POINTS = 4  # number of neighbours for the interpolation between values of the parameter
 
 _eig: Any = eig
@@ -31,7 +32,7 @@ _brentq: Any = brentq
 
 @dataclass(frozen=True)
 class Boundary:
-    """Where a branch becomes stable or unstable.
+    """A value at which a branch becomes stable or unstable.
 
     Attributes
     ----------
@@ -50,7 +51,7 @@ class Boundary:
 
 @dataclass(frozen=True)
 class Branches:
-    """Eigenvalues over a parameter, each column one branch; complex pairs share a name.
+    """Eigenvalues over a parameter, one branch per column; complex pairs share a name.
 
     Attributes
     ----------
@@ -73,7 +74,7 @@ class Branches:
 
     @classmethod
     def of(cls, parameter: Array, given: Any, labels: Sequence[str] = ()) -> Branches:
-        """Branches of state matrices (np, n, n), or of their eigenvalues (np, n) alone."""
+        """Build the branches of state matrices (np, n, n), or of their eigenvalues (np, n) alone."""
         values = np.asarray(given)
         if values.ndim < 3:
             return cls(parameter, _ordered(parameter, values.astype(complex))[0])
@@ -89,10 +90,10 @@ class Branches:
 
     @classmethod
     def of_shapes(cls, parameter: Array, values: Array, shapes: Array, labels: Sequence[str]) -> Branches:
-        """Branches of some of the modes (np, n), of which the shapes are known, such as the lowest free vibrations.
+        """Build branches of some of the modes (np, n), whose shapes are known, such as the lowest free vibrations.
 
-        A branch ends where no shape continues it, as its mode is no longer among those that are known; another begins
-        there. Elsewhere they are NaN.
+        A branch ends if no shape continues it, because its mode is no longer among those known; another one begins
+        there. Other entries are NaN.
 
         Parameters
         ----------
@@ -118,13 +119,13 @@ class Branches:
 
     @cached_property
     def families(self) -> list[list[int]]:
-        """Columns of one complex pair (where one is complex, the other is its conjugate nearly everywhere), or one."""
+        """Return the columns of one complex pair (conjugate nearly everywhere that one is complex), or one column."""
         w, found = self.eigenvalues, list[list[int]]()
         size = np.abs(w)
         for j in range(w.shape[1]):
-            oscillates = np.abs(w[:, j].imag) > NEAR * size[:, j]
+            oscillates = np.abs(w[:, j].imag) > EQUAL_TOLERANCE * size[:, j]
             for other in found:
-                pair = oscillates & (np.abs(w[:, j] - w[:, other[0]].conj()) <= NEAR * size[:, j])
+                pair = oscillates & (np.abs(w[:, j] - w[:, other[0]].conj()) <= EQUAL_TOLERANCE * size[:, j])
                 if len(other) == 1 and 2 * pair.sum() > oscillates.sum():
                     other.append(j)
                     break
@@ -134,11 +135,11 @@ class Branches:
 
     @cached_property
     def names(self) -> list[str]:
-        """A name for each family: that of the state with the largest share in it, numbered where several have it."""
+        """Name each family by the state with the largest share in it, numbered if several have the same."""
         if self.shares is None or not self.labels:
             return [f"branch {i + 1}" for i in range(len(self.families))]
         unique = list(dict.fromkeys(self.labels))
-        to = np.array([unique.index(z) for z in self.labels])
+        to = np.array([unique.index(label) for label in self.labels])
         largest = []
         for family in self.families:
             mean = np.nanmean(self.shares[:, family], axis=(0, 1))
@@ -149,18 +150,21 @@ class Branches:
         ]
 
     def boundaries(self, names: Sequence[str] | None = None) -> list[Boundary]:
-        """Where real parts change sign, refined between the values of the parameter, in increasing order.
+        """Find where real parts change sign, refined between the values of the parameter, in increasing order.
 
-        Between them the state matrix is interpolated through four neighbours, which is exact for a polynomial of third
-        degree, as of equations over a speed; without matrices, the eigenvalues are.
+        The state matrix is interpolated through four neighbours, which is exact for a polynomial of third degree, such
+        as equations over a speed; without matrices, the eigenvalues are interpolated.
         """
         w, found = self.eigenvalues, list[Boundary]()
-        floor = ZERO * float(np.nanmax(np.abs(w), initial=0.0))
+        floor = ZERO_TOLERANCE * float(np.nanmax(np.abs(w), initial=0.0))
         for name, family in zip(names or self.names, self.families, strict=True):
             for value, frequency in self._crossings(family, floor):
-                if not any(z.branch == name and np.isclose(z.value, value, rtol=1e-9) for z in found):
+                if not any(
+                    boundary.branch == name and np.isclose(boundary.value, value, rtol=1e-9)
+                    for boundary in found
+                ):
                     found.append(Boundary(value, name, frequency))
-        return sorted(found, key=lambda z: z.value)
+        return sorted(found, key=lambda boundary: boundary.value)
 
     def _crossings(self, family: Sequence[int], floor: float) -> Iterator[tuple[float, float]]:
         for j in family:
@@ -173,10 +177,10 @@ class Branches:
                     yield root, abs(at(root).imag)
 
     def _between(self, i: int, k: int, j: int) -> Callable[[float], complex]:
-        """The branch j as a function of the parameter between its values i and k."""
+        """Interpolate the branch j between its values i and k of the parameter."""
         given = self.eigenvalues[:, j] if self.matrices is None else self.matrices
-        near = _neighbours(self.parameter, np.isfinite(self.eigenvalues[:, j]), i, k)
-        p, values = self.parameter[near], given[near]
+        chosen = _neighbours(self.parameter, np.isfinite(self.eigenvalues[:, j]), i, k)
+        p, values = self.parameter[chosen], given[chosen]
         ends = self.parameter[[i, k]], self.eigenvalues[[i, k], j]
 
         def at(value: float) -> complex:
@@ -191,14 +195,14 @@ class Branches:
 
 
 def _neighbours(p: Array, known: NDArray[np.bool_], i: int, k: int) -> Index:
-    """The values of the parameter nearest to the middle of two, including both."""
+    """Return the indices of the parameter values nearest to the middle of two, including both."""
     usable = np.flatnonzero(known)
     order = usable[np.argsort(np.abs(p[usable] - (p[i] + p[k]) / 2), kind="stable")][:POINTS]
     return np.unique([*order, i, k])
 
 
 def _lagrange(p: Array, value: float) -> Array:
-    """Weights of a polynomial through the points p at a value."""
+    """Return the weights of a polynomial through the points p at a value."""
     off = value - p
     return np.array([np.prod(np.delete(off, i) / (p[i] - np.delete(p, i))) for i in range(p.size)])
 
@@ -206,7 +210,7 @@ def _lagrange(p: Array, value: float) -> Array:
 def _ordered(
     p: Array, w: ComplexArray, left: ComplexArray | None = None, right: ComplexArray | None = None
 ) -> tuple[ComplexArray, Index]:
-    """Eigenvalues (np, n) with their columns in the order of the branches, and that order; unknown rows stay."""
+    """Sort the columns of eigenvalues (np, n) in the order of the branches; return them and that order."""
     found, order = w.copy(), np.tile(np.arange(w.shape[1]), (len(w), 1))
     known = np.flatnonzero(np.isfinite(w).all(axis=1))
     if not known.size:
@@ -223,20 +227,20 @@ def _ordered(
         order[now] = linear_sum_assignment(cost)[1]
         found[now] = w[now][order[now]]
         if vectors is not None and left is not None and right is not None:
-            alone = _alone(found[now])  # those of equal eigenvalues are any combination
+            alone = _alone(found[now])  # those of equal eigenvalues are arbitrary combinations
             for kept, new in zip(vectors, (left[now], right[now]), strict=True):
                 kept[:, alone] = new[:, order[now]][:, alone]
     return found, order
 
 
 def _pieces(w: ComplexArray, columns: ComplexArray) -> list[tuple[int, list[int]]]:
-    """Columns of w (np, n) with the rows through which one shape (np, k, n) continues; a column may have several."""
+    """Return the columns of w (np, n) with the rows through which a shape (np, k, n) continues, one or several."""
     known = np.flatnonzero(np.isfinite(w).all(axis=1))
     found = [(j, [int(known[0])]) for j in range(w.shape[1])] if known.size else []
     open_ones = list(found)
     for last, now in zip(known, known[1:], strict=False):
         alike = np.diag(_likeness(columns[last], columns[last], columns[now], columns[now]))
-        other = (alike < ALIKE) & _alone(w[last]) & _alone(w[now])
+        other = (alike < MIN_SIMILARITY) & _alone(w[last]) & _alone(w[now])
         for j in range(w.shape[1]):
             if other[j]:
                 open_ones[j] = (j, [])
@@ -246,7 +250,7 @@ def _pieces(w: ComplexArray, columns: ComplexArray) -> list[tuple[int, list[int]
 
 
 def _distance(expected: ComplexArray, w: ComplexArray) -> Array:
-    """Differences of expected (rows) and found eigenvalues, relative to both: from zero to one."""
+    """Return the differences of expected (rows) and found eigenvalues, relative to both: from zero to one."""
     size = np.abs(expected)[:, None] + np.abs(w)[None, :]
     return np.asarray(
         np.abs(expected[:, None] - w[None, :]) / np.maximum(size, 1e-9 * size.max(initial=1e-300))
@@ -254,7 +258,7 @@ def _distance(expected: ComplexArray, w: ComplexArray) -> Array:
 
 
 def _likeness(left: ComplexArray, right: ComplexArray, left2: ComplexArray, right2: ComplexArray) -> Array:
-    """Similarity of the shapes of one matrix (rows) to those of another: from zero to one."""
+    """Return the similarity of the shapes of one matrix (rows) to those of another: from zero to one."""
     own = np.abs((left.conj() * right).sum(axis=0))[:, None] * np.abs((left2.conj() * right2).sum(axis=0))
     across = np.abs(left.conj().T @ right2) * np.abs(left2.conj().T @ right).T
     return np.asarray(np.minimum(across / np.maximum(own, 1e-300), 1.0))
@@ -263,4 +267,4 @@ def _likeness(left: ComplexArray, right: ComplexArray, left2: ComplexArray, righ
 def _alone(w: ComplexArray) -> NDArray[np.bool_]:
     """Whether no other eigenvalue is nearly equal."""
     apart = np.abs(w[:, None] - w[None, :]) + np.diag(np.full(w.size, np.inf))
-    return np.asarray(apart.min(axis=1, initial=np.inf) > NEAR * np.abs(w).max(initial=0.0))
+    return np.asarray(apart.min(axis=1, initial=np.inf) > EQUAL_TOLERANCE * np.abs(w).max(initial=0.0))

@@ -1,10 +1,10 @@
-"""Continuation of solution curves by arc length, past folds of the parameter: one method for all analyses.
+"""Follows solution curves by arc length, past folds of the parameter: one method for all analyses.
 
-A curve is where n equations r(z, p) = 0 hold in n unknowns z and a parameter p.  From each point a step of given arc
+A curve consists of the solutions of n equations r(u, p) = 0 in n unknowns u and a parameter p.  A step of given arc
 length follows the tangent; Newton's method returns to the curve in the plane normal to it.  Newton's method may reach
-another curve, or a distant part of the same one; so a point is refused if the tangent has turned much, if it is far
-from its guess, or if the way to it is not along the mean tangent.  The sign of det ∂r/∂z times the tangent's parameter
-changes only where curves cross: where it changes in a longer step, a fold was stepped over.  Steps that fail are
+another curve, or a distant part of the same one; so a point is rejected if the tangent has turned much, if it is far
+from its guess, or if the way to it is not along the mean tangent.  The sign of det ∂r/∂u times the tangent's parameter
+changes only where curves cross; if it changes in a longer step, a fold was stepped over.  Steps that fail are
 halved.  Sources: Crisfield (1981), Keller (1977).
 """
 
@@ -22,18 +22,18 @@ from flexel.mechanics.newton import newton
 
 log = logging.getLogger("flexel.continuation")
 MAX_ITERATIONS = 20
-FEW, GROWTH, CUT = 4, 1.5, 0.7  # after so few iterations the arc grows, after more it is cut
-COSINE = 0.9  # smallest cosine between the tangents of neighbouring points
+FEW, GROWTH, CUT = 4, 1.5, 0.7  # the arc grows after at most this many iterations, and is cut after more
+COSINE = 0.9  # smallest cosine between the tangents of adjacent points
 ALONG = 0.99  # smallest cosine between their mean tangent and the chord: one, for a parabola or a circle
 SHORT = 1e-4  # longest arc across a corner, where a contact opens, and across a point where curves cross
 AROUND = 10.0  # largest distance of a point from its guess around a corner, relative to the arc
 ASTRAY = 0.5  # largest distance of a point from its guess, relative to the arc
 Equations = TypeVar("Equations")
-Found = TypeVar("Found")
+Result = TypeVar("Result")
 
 
-class Curve(Protocol[Equations]):
-    """The equations of a curve; y = (z, p) is a vector (n + 1,) with the parameter at its end."""
+class SolutionCurve(Protocol[Equations]):
+    """The equations of a curve; y = (u, p) is a vector (n + 1,) with the parameter at its end."""
 
     tolerance: float
     stalled: float
@@ -41,23 +41,23 @@ class Curve(Protocol[Equations]):
     retried: tuple[type[Exception], ...]  # errors of trial points that a shorter step may avoid
 
     def equations(self, y: Array, last: Equations) -> Equations:
-        """The equations at y, near a point of the curve at which they were evaluated."""
+        """Evaluate the equations at y, near a point of the curve at which they are known."""
         ...
 
     def error(self, equations: Equations) -> float:
-        """Size of their residual in natural scales."""
+        """Return the size of their residual in natural scales."""
         ...
 
     def solve(self, equations: Equations) -> Array:
-        """A⁻¹ r and A⁻¹ ∂r/∂p as columns (n, 2), with A = ∂r/∂z."""
+        """Return A⁻¹ r and A⁻¹ ∂r/∂p as columns (n, 2), with A = ∂r/∂u."""
         ...
 
     def sign(self, equations: Equations) -> int:
-        """Sign of det A; zero if it is not known."""
+        """Return the sign of det A; zero if it is not known."""
         ...
 
     def weights(self, equations: Equations) -> Array:
-        """Factors (n + 1,) of the squares of small changes of y in the square of the arc length, near a point."""
+        """Return the weights (n + 1,) of the squares of small changes of y in the squared arc length, near a point."""
         ...
 
     def allows(self, step: Array, arc: float) -> bool:
@@ -66,7 +66,7 @@ class Curve(Protocol[Equations]):
 
 
 @dataclass(frozen=True)
-class Point(Generic[Equations]):
+class CurvePoint(Generic[Equations]):
     """A point of a curve.
 
     Attributes
@@ -96,42 +96,46 @@ class Arcs:
 
 
 def point_at(
-    curve: Curve[Equations], y: Array, equations: Equations, before: Array | None = None, iterations: int = 0
-) -> Point[Equations]:
-    """The point with these equations; its tangent points onward from the one before, at first to a larger parameter."""
+    curve: SolutionCurve[Equations],
+    y: Array,
+    equations: Equations,
+    before: Array | None = None,
+    iterations: int = 0,
+) -> CurvePoint[Equations]:
+    """Make a point with these equations; its tangent points onward from the last one, first to larger parameters."""
     slope, weights = -curve.solve(equations)[:, 1], curve.weights(equations)
     tangent = np.append(slope, 1.0)
     tangent /= np.sqrt(float(weights @ tangent**2))
     if before is not None and (weights * tangent) @ before < 0:
         tangent = -tangent
-    return Point(y, equations, tangent, iterations)
+    return CurvePoint(y, equations, tangent, iterations)
 
 
 def corrected(
-    curve: Curve[Equations], guess: Array, normal: Array, near: Point[Equations], arc: float
-) -> Point[Equations] | None:
-    """The point of the curve in the plane through a guess, by Newton's method.
+    curve: SolutionCurve[Equations], guess: Array, normal: Array, known: CurvePoint[Equations], arc: float
+) -> CurvePoint[Equations] | None:
+    """Find the point of the curve in the plane through a guess, by Newton's method.
 
-    None if the method does not converge, or reaches a point that does not follow the one nearby.
+    Returns None if the method does not converge, or reaches a point that does not follow the nearby one.
 
     Parameters
     ----------
     guess : ndarray (n + 1,)
     normal : ndarray (n + 1,)
         Of the plane: all y with normal · (y - guess) = 0.
-    near : Point
-        A point nearby.
+    known : CurvePoint
+        A known point of the curve nearby.
     arc : float
         Distance of the guess from it.
     """
 
     def evaluate(y: Array) -> tuple[Equations, float]:
-        found = curve.equations(y, near.equations)
+        found = curve.equations(y, known.equations)
         return found, curve.error(found)
 
     def move(y: Array, equations: Equations) -> Array | None:
         both = curve.solve(equations)
-        # bordered elimination: z = -both0 - both1 dp, and the step stays in the plane
+        # bordered elimination: u = -both0 - both1 dp, and the step stays in the plane
         bottom = normal[-1] - normal[:-1] @ both[:, 1]
         dp = (normal[:-1] @ both[:, 0] - normal @ (y - guess)) / bottom
         step = np.append(-both[:, 0] - both[:, 1] * dp, dp)
@@ -147,18 +151,22 @@ def corrected(
         if onward is None:
             break
         there, error = evaluate(onward)
-        if not error <= max(curve.tolerance, found.error):  # false for NaN; where nothing resists a motion
+        if not error <= max(curve.tolerance, found.error):  # false for NaN, which free motions cause
             break
         y, equations = onward, there
-    point = point_at(curve, y, equations, near.tangent, found.iterations)
-    return point if _follows(curve, point, guess, near, arc) else None
+    point = point_at(curve, y, equations, known.tangent, found.iterations)
+    return point if _follows(curve, point, guess, known, arc) else None
 
 
 def _follows(
-    curve: Curve[Equations], point: Point[Equations], guess: Array, near: Point[Equations], arc: float
+    curve: SolutionCurve[Equations],
+    point: CurvePoint[Equations],
+    guess: Array,
+    known: CurvePoint[Equations],
+    arc: float,
 ) -> bool:
     """Whether a point continues the curve: its tangent has turned little, and it is close to its guess."""
-    weights = curve.weights(near.equations)
+    weights = curve.weights(known.equations)
 
     def cosine(a: Array, b: Array) -> float:
         return float((weights * a) @ b) / float(np.sqrt((weights @ a**2) * (weights @ b**2)))
@@ -166,12 +174,12 @@ def _follows(
     astray = float(np.sqrt(weights @ (point.y - guess) ** 2))
     if arc <= SHORT:
         return astray < AROUND * arc
-    same = np.sign([curve.sign(p.equations) * p.tangent[-1] for p in (near, point)])
+    same = np.sign([curve.sign(p.equations) * p.tangent[-1] for p in (known, point)])
     if same[0] * same[1] < 0:
         log.debug("point refused: it is beyond a fold, or curves cross")
         return False
-    turned = cosine(near.tangent, point.tangent)
-    along = cosine(near.tangent + point.tangent, point.y - near.y)
+    turned = cosine(known.tangent, point.tangent)
+    along = cosine(known.tangent + point.tangent, point.y - known.y)
     if turned > COSINE and along > ALONG and astray < ASTRAY * arc:
         return True
     log.debug(
@@ -184,18 +192,18 @@ def _follows(
 
 
 def follow(
-    curve: Curve[Equations],
-    here: Point[Equations],
+    curve: SolutionCurve[Equations],
+    here: CurvePoint[Equations],
     ends: tuple[float, float],
     arcs: Arcs,
-    keep: Callable[[Point[Equations]], None],
-    finish: Callable[[Array, Point[Equations], float], bool],
+    keep: Callable[[CurvePoint[Equations]], None],
+    finish: Callable[[Array, CurvePoint[Equations], float], bool],
 ) -> float | None:
     """Follow a curve until its parameter reaches an end.
 
     Parameters
     ----------
-    here : Point
+    here : CurvePoint
         The start.
     ends : (float, float)
         Parameters below and above at which the curve ends.
@@ -217,7 +225,7 @@ def follow(
     """
     arc, low, high = arcs.first, *ends
 
-    def tried(action: Callable[..., Found], *arguments: object) -> Found | None:
+    def tried(action: Callable[..., Result], *arguments: object) -> Result | None:
         try:
             return action(*arguments)
         except curve.retried:

@@ -1,4 +1,4 @@
-"""Counting, rank check with names, and the automatic choice of independent coordinates.
+"""Counts constraints, checks ranks with names, and chooses independent coordinates automatically.
 
 Null spaces identify the error: a left null vector of the constraint matrix is a redundant set of
 conditions, a right null vector is an uncontrolled motion.  Both are reported by the names of their
@@ -21,43 +21,25 @@ from flexel.base.arguments import names as checked_names
 from flexel.base.arrays import Array, Index
 from flexel.base.blas import one_thread
 from flexel.base.errors import ConstraintError, ModelError
-from flexel.base.shown import listed
+from flexel.base.null_space import null_space
+from flexel.base.shown import quoted
 from flexel.engine.solvers import factorize
 from flexel.mechanics.kinematics import Kinematics
 from flexel.mechanics.preference import heaviness, preferences
-from flexel.structure.roles import Roles
-from flexel.structure.structure import Structure
+from flexel.model.role_lists import Roles
+from flexel.model.structure import Structure
 
 log = logging.getLogger("flexel.build")
 _block_array: Any = block_array
-RANK_TOLERANCE = 1e-9  # singular value of the row-scaled constraint matrix that counts as zero
 SINGULAR = "no independent coordinates can be chosen here: the position is singular"
 
 
-def null_space(A: Array, columns: int) -> tuple[Array, Array]:
-    """Right null space (columns, r) and left null space (rows, l) of a matrix with scaled rows."""
-    if not A.shape[0]:
-        return np.eye(columns), np.zeros((0, 0))
-    scale = np.linalg.norm(A, axis=1)
-    if np.any(scale == 0):
-        left = np.eye(A.shape[0])[:, scale == 0]
-        return null_space(A[scale > 0], columns)[0], left
-    U, s, Vt = np.linalg.svd(A / scale[:, None])
-    rank = int(np.sum(s > RANK_TOLERANCE * s[0]))
-    return Vt[rank:].T, U[:, rank:]
-
-
 def largest(structure: Structure, rows: Index, vector: Array, limit: int = 6) -> list[str]:
-    """Names of the quantities with the largest entries of a null vector, norms excluded."""
+    """Name the quantities with the largest entries of a null vector, norms excluded."""
     weight = np.abs(vector) / max(float(np.max(np.abs(vector))), 1e-300)
     order = [i for i in np.argsort(-weight, kind="stable") if weight[i] > 0.05]
     names = [structure.names[rows[i]] for i in order]
     return [name for name in names if not structure.is_norm(name)][:limit] or names[:limit]
-
-
-def quoted(names: list[str], most: int | None = None) -> str:
-    """Names in quotes, separated by commas; the first ones if there are more than `most`."""
-    return listed([f"'{name}'" for name in names], len(names) if most is None else most)
 
 
 def check_redundancy(structure: Structure, roles: Roles, J: Array, rows: Index, what: str) -> None:
@@ -76,9 +58,9 @@ def _report_redundancy(structure: Structure, roles: Roles, rows: Index, left: Ar
         return
     concerned, count = [largest(structure, rows, column) for column in left.T], left.shape[1]
     log.info("not independent: %s", "; ".join(map(quoted, concerned)))
-    names = list(dict.fromkeys(z for each in concerned for z in each))
-    mine = [z for z in names if structure.find(z) not in roles.prescribed]
-    mine.sort(key=lambda z: structure.find(z) not in roles.zero)  # slips are released first
+    names = list(dict.fromkeys(name for each in concerned for name in each))
+    mine = [name for name in names if structure.find(name) not in roles.prescribed]
+    mine.sort(key=lambda name: structure.find(name) not in roles.zero)  # slips are released first
     remedy = f"m.release('{mine[0]}')" if mine else f"without m.prescribe('{names[0]}', …)"
     raise ConstraintError(
         f"over-constrained: {count} {what} {'is' if count == 1 else 'are'} redundant, among "
@@ -88,7 +70,7 @@ def _report_redundancy(structure: Structure, roles: Roles, rows: Index, left: Ar
 
 
 def candidates(structure: Structure, roles: Roles) -> Index:
-    """Candidates for degrees of freedom: coordinates and deformations that are free, but for those with a kink."""
+    """Return the candidates for degrees of freedom: free coordinates and deformations, except those with a kink."""
     taken = {*roles.rigid, *roles.prescribed, *structure.kinked}
     first = structure.m + structure.k
     rows = [*range(structure.m), *range(first, first + structure.nf)]
@@ -96,7 +78,7 @@ def candidates(structure: Structure, roles: Roles) -> Index:
 
 
 def pick(kinematics: Kinematics, J: Array, space: Array, exclude: Index) -> Index:
-    """Quantities whose rates best span a space of velocities, by QR with column pivoting.
+    """Choose quantities whose rates best span a space of velocities, by QR with column pivoting.
 
     Parameters
     ----------
@@ -124,13 +106,13 @@ def pick(kinematics: Kinematics, J: Array, space: Array, exclude: Index) -> Inde
 
 
 def named_dofs(structure: Structure, names: Sequence[str] | None, owner: str) -> Index | None:
-    """Quantity indices of named degrees of freedom: coordinates that can move, or deformations; each once."""
+    """Return the indices of named degrees of freedom: movable coordinates or deformations, each once."""
     if names is None:
         return None
     if len(set(checked_names(names, owner))) < len(names):
-        doubles = sorted({z for z in names if list(names).count(z) > 1})
+        doubles = sorted({name for name in names if list(names).count(name) > 1})
         raise ModelError(f"{owner}: {quoted(doubles)} named twice; name each once")
-    found = np.array([structure.find(z, owner) for z in names], dtype=np.intp)
+    found = np.array([structure.find(name, owner) for name in names], dtype=np.intp)
     first = structure.m + structure.k
     for name, i in zip(names, found, strict=True):
         if structure.m <= i < first or i >= first + structure.nf:
@@ -143,7 +125,7 @@ def named_dofs(structure: Structure, names: Sequence[str] | None, owner: str) ->
 
 @one_thread()
 def choose_dofs(kinematics: Kinematics, J: Array, dynamic: Index | None, kinematic: Index | None) -> Roles:
-    """Roles with all degrees of freedom: those the user named, checked, or an automatic choice.
+    """Return roles with all degrees of freedom: those named by the user, checked, or an automatic choice.
 
     Parameters
     ----------
@@ -176,7 +158,7 @@ def choose_dofs(kinematics: Kinematics, J: Array, dynamic: Index | None, kinemat
 def _completed(
     kinematics: Kinematics, J: Array, constraints: Index, named: Index | None, kind: str, taken: Index
 ) -> Index:
-    """Named degrees of freedom, checked, and those that the program chooses for the motions that they leave."""
+    """Check the named degrees of freedom, and choose more for the motions that these leave."""
     nf = kinematics.structure.nf
     named = np.zeros(0, dtype=np.intp) if named is None else named
     if named.size:
@@ -187,7 +169,7 @@ def _completed(
 
 
 @dataclass(frozen=True)
-class Block:
+class ConstraintBlock:
     """A connected set of constraint rows (quantities) and coordinates, and their dense matrix."""
 
     rows: Index
@@ -195,8 +177,8 @@ class Block:
     matrix: Array
 
 
-def blocks(J: Any, rows: Index, nf: int) -> tuple[list[Block], Index]:
-    """Constraints of a large model in decoupled parts, and the coordinates without constraints."""
+def blocks(J: Any, rows: Index, nf: int) -> tuple[list[ConstraintBlock], Index]:
+    """Divide the constraints of a large model into decoupled parts; return also the coordinates without constraints."""
     C = csr_array(J[rows][:, :nf])
     C.eliminate_zeros()
     count, label = connected_components(_block_array([[None, C], [C.T, None]]), directed=False)
@@ -206,14 +188,14 @@ def blocks(J: Any, rows: Index, nf: int) -> tuple[list[Block], Index]:
     for part in parts:
         own, columns = part[part < rows.size], part[part >= rows.size] - rows.size
         if own.size:
-            found.append(Block(rows[own], columns, C[own][:, columns].toarray()))
+            found.append(ConstraintBlock(rows[own], columns, C[own][:, columns].toarray()))
         else:
             free.append(columns)
     return found, np.concatenate(free) if free else np.zeros(0, dtype=np.intp)
 
 
 def choose_by_blocks(kinematics: Kinematics, J: Any, dynamic: Index | None, kinematic: Index | None) -> Roles:
-    """Degrees of freedom of a large model: named ones, or chosen part by part; or a `ConstraintError`."""
+    """Choose the degrees of freedom of a large model part by part, or take named ones, or raise a `ConstraintError`."""
     roles = kinematics.roles
     rolling = np.concatenate([roles.holonomic, roles.zero])
     if kinematic is None and not roles.zero.size:
@@ -255,7 +237,7 @@ def _check_parts(kinematics: Kinematics, J: Any, rolling: Index) -> None:
 
 
 def _left_free(kinematics: Kinematics, J: Any, rows: Index) -> Index:
-    """Coordinates that describe the motions left by the constraint rows, part by part."""
+    """Choose coordinates that describe the motions left by the constraint rows, part by part."""
     structure = kinematics.structure
     first, nf = structure.m + structure.k, structure.nf
     if not rows.size:

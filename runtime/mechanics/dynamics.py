@@ -1,4 +1,4 @@
-"""Complete states: accelerations, stresses, reactions and energies at coordinates and rates that satisfy the
+"""Completes states: accelerations, stresses, reactions and energies for coordinates and rates that satisfy the
 constraints.
 
 H' [ M a + h - f + De' sigma + V' tau ] = 0 with a = H q_d'' + g.  The multipliers (stresses of rigid deformations and
@@ -10,17 +10,19 @@ accelerations.  Computed in C, see `runtime/engine/explicit.h`.  Source: Jonker 
 from __future__ import annotations
 
 from flexel.base.arrays import Array
-from flexel.engine.choice import Choice
+from flexel.engine.coordinate_work import CoordinateWork
 from flexel.engine.finite import check_finite
 from flexel.engine.workspace import Workspace
+from flexel.mechanics.actuation import refuse_actuators
 from flexel.mechanics.kinematics import Kinematics
-from flexel.structure.state import Energy, State
+from flexel.model.snapshot import Snapshot
+from flexel.model.state import Energy, State
 
 
 def complete(
     kinematics: Kinematics, t: float, x: Array, v: Array, e: Array, z: Array, qdd: Array | None = None
 ) -> State:
-    """The complete state at coordinates and rates: accelerations, stresses, reactions, energy.
+    """Return the complete state at coordinates and rates: accelerations, stresses, reactions, energy.
 
     Parameters
     ----------
@@ -54,19 +56,36 @@ def complete(
 def driving_forces(
     kinematics: Kinematics, t: float, x: Array, v: Array, e: Array, z: Array, qdd: Array
 ) -> Array:
-    """Generalized forces (nd,) on the dynamic degrees of freedom that are required for accelerations q_d''.
+    """Return the generalized forces (nd,) on the dynamic degrees of freedom required for accelerations q_d''.
 
     They are H' (f - h - De' sigma - V' tau - M a) of given forces with the opposite sign of the residual of the
     equations of motion; parameters as in `complete`.
     """
+    refuse_actuators(kinematics.structure, kinematics.roles)
     choice = _placed(kinematics, t, x, v, e, z)
     choice.qdd[:] = qdd
     kinematics.check(choice.complete(True), t)
     return choice.multiplier[kinematics.roles.dynamic]
 
 
+def holding_forces(kinematics: Kinematics, at: Snapshot, z: Array) -> Array | None:
+    """Return the forces of constraints by quantity (m + k + n,), or None where they cannot be found.
+
+    Parameters
+    ----------
+    at : Snapshot
+    z : ndarray (nz,)
+        Internal states of laws.
+    """
+    choice = kinematics.given(at.t)
+    work = choice.work
+    work.struct.t = at.t
+    work.x[:], work.v[:], work.unwrap_from[:], work.z[:] = at.x, at.v, at.e, z
+    return None if choice.complete(False) else choice.multiplier.copy()
+
+
 def unaccelerated(kinematics: Kinematics, t: float, x: Array, v: Array, e: Array, z: Array) -> State:
-    """The state with its given forces, but without accelerations and constraint forces."""
+    """Return the state with its given forces, but without accelerations and constraint forces."""
     choice = _placed(kinematics, t, x, v, e, z)
     choice.forces()
     _check_forces(kinematics, choice, t)
@@ -76,22 +95,22 @@ def unaccelerated(kinematics: Kinematics, t: float, x: Array, v: Array, e: Array
     return state_in(kinematics, choice.work, *choice.reactions())
 
 
-def _placed(kinematics: Kinematics, t: float, x: Array, v: Array, e: Array, z: Array) -> Choice:
+def _placed(kinematics: Kinematics, t: float, x: Array, v: Array, e: Array, z: Array) -> CoordinateWork:
     choice = kinematics.given(t)
     choice.reset()
     work = choice.work
     work.struct.t = t
-    work.x[:], work.v[:], work.near[:], work.z[:] = x, v, e, z
+    work.x[:], work.v[:], work.unwrap_from[:], work.z[:] = x, v, e, z
     return choice
 
 
-def _check_forces(kinematics: Kinematics, choice: Choice, t: float) -> None:
+def _check_forces(kinematics: Kinematics, choice: CoordinateWork, t: float) -> None:
     work = choice.work
     check_finite(kinematics.structure, work.stress, work.zd, t)
 
 
 def state_in(kinematics: Kinematics, work: Workspace, stresses: Array, reactions: Array) -> State:
-    """The state that a workspace holds: everything evaluated, with its accelerations.
+    """Return the state that a workspace holds: everything evaluated, with its accelerations.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Findings of a check of a model, with their severity, as a table."""
+"""Findings of a model check, with their severity, as a table."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ class Finding:
 
 @dataclass(frozen=True)
 class CheckReport:
-    """Everything that a check of a model found; printed as a table.
+    """All findings of a model check; printed as a table.
 
     Attributes
     ----------
@@ -58,10 +58,13 @@ class CheckReport:
         return not (self.errors or self.warnings)
 
     def _of(self, severity: str) -> tuple[Finding, ...]:
-        return tuple(z for z in self.findings if z.severity == severity)
+        return tuple(finding for finding in self.findings if finding.severity == severity)
 
     def __repr__(self) -> str:
-        width = max((len(z.subject) for z in self.findings), default=0)
-        lines = [f"{z.severity:<7}  {z.subject:<{width}}  {z.message}" for z in self.findings]
+        width = max((len(finding.subject) for finding in self.findings), default=0)
+        lines = [
+            f"{finding.severity:<7}  {finding.subject:<{width}}  {finding.message}"
+            for finding in self.findings
+        ]
         counts = (f"{len(found)} {kind}(s)" for kind in SEVERITIES if (found := self._of(kind)))
         return "\n".join([*lines, ", ".join(counts) or "nothing to report"])

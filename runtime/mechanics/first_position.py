@@ -1,4 +1,4 @@
-"""Initial assembly: the configuration nearest to the drawing that satisfies the constraints."""
+"""Assembles the mechanism initially: finds the configuration nearest to the drawing that satisfies the constraints."""
 
 from __future__ import annotations
 
@@ -9,17 +9,17 @@ from scipy.sparse import block_array, diags_array, eye_array
 
 from flexel.base.arrays import Array, Index
 from flexel.base.errors import PositionError
-from flexel.declare.declarations import Declarations
 from flexel.engine.solvers import factorize
 from flexel.mechanics.kinematics import Configuration, Kinematics, wrap
 from flexel.mechanics.newton import shortened
+from flexel.model.lowering import Lowering
 
 STEP = 0.2  # largest change of a wanted value (in its natural scale) in one step of the initial assembly
 LONGEST = 0.3  # largest change of a coordinate (in its natural scale) in one step of Newton's method
 
 
-def first_position(model: Declarations, kinematics: Kinematics, t: float) -> Configuration:
-    """Configuration nearest to the drawing that satisfies the constraints and the given initial values.
+def first_position(model: Lowering, kinematics: Kinematics, t: float) -> Configuration:
+    """Find the configuration nearest to the drawing that satisfies the constraints and the given initial values.
 
     Gauss–Newton with the smallest change of the coordinates; given values are approached in steps.
     """
@@ -27,42 +27,42 @@ def first_position(model: Declarations, kinematics: Kinematics, t: float) -> Con
     x = structure.x0.copy()
     e, J = kinematics.evaluation.position(x)
     drawn = kinematics.values(e, x)
-    wanted = {structure.find(z): drawn[structure.find(z)] for z in (model._dynamic or [])}
-    wanted |= {structure.find(z): drawn[structure.find(z)] for z in (model._kinematic or [])}
-    wanted |= {structure.find(z): value for z, value in model._values.items()}
+    wanted = {structure.find(name): drawn[structure.find(name)] for name in (model.dynamic or [])}
+    wanted |= {structure.find(name): drawn[structure.find(name)] for name in (model.kinematic or [])}
+    wanted |= {structure.find(name): value for name, value in model.values.items()}
     rows = np.concatenate([roles.holonomic, np.array(list(wanted), dtype=np.intp)])
     start = drawn[rows]
     start[: roles.rigid.size] = 0.0
     goal = np.concatenate(
         [kinematics.target(kinematics.roles.motion(t), np.zeros(0)), np.array(list(wanted.values()))]
     )
-    e_near = e
+    unwrap_from = e
     change = wrap(goal - start, structure.period[rows]) / kinematics.scales(rows)
     steps = max(1, int(np.ceil(np.max(np.abs(change), initial=0.0) / STEP)))
     for i in range(1, steps + 1):
         part = start + (goal - start) * i / steps
-        x, e_near = nearest(kinematics, rows, part, x, e_near, t)
-    target = e_near if structure.relations else np.zeros(structure.m)
+        x, unwrap_from = nearest(kinematics, rows, part, x, unwrap_from, t)
+    target = unwrap_from if structure.relations else np.zeros(structure.m)
     own = rows < structure.m
     target[rows[own]] = goal[own]
     return Configuration(t, x, *kinematics.evaluation.position(x, target))
 
 
 def nearest(
-    kinematics: Kinematics, rows: Index, goal: Array, x: Array, near: Array, t: float
+    kinematics: Kinematics, rows: Index, goal: Array, x: Array, unwrap_from: Array, t: float
 ) -> tuple[Array, Array]:
-    """Coordinates that meet the rows, and their deformations with turns counted from `near`."""
+    """Find coordinates that satisfy the rows, and their deformations with turns counted from `unwrap_from`."""
     structure, nf = kinematics.structure, kinematics.structure.nf
     scale, period = kinematics.scales(rows), structure.period[rows]
     size = kinematics.scales(np.arange(nf) + structure.m + structure.k)
     x, best, stalled = x.copy(), np.inf, 0
     for _ in range(60):
-        e, J = kinematics.evaluation.position(x, near)
-        near = e
+        e, J = kinematics.evaluation.position(x, unwrap_from)
+        unwrap_from = e
         residual = wrap(kinematics.values(e, x)[rows] - goal, period)
         error = float(np.max(np.abs(residual) / scale, initial=0.0))
         if error < 1e-13 or (error < 1e-11 and error > 0.5 * best):
-            return x, near
+            return x, unwrap_from
         stalled = stalled + 1 if error > 0.9 * best else 0
         best = min(best, error)
         if stalled > 12 or not np.isfinite(error):
@@ -79,14 +79,14 @@ def nearest(
 
 
 def _scaled(C: Any, rows: Array, columns: Array) -> Any:
-    """A matrix for scaled columns, with scaled rows."""
+    """Return a matrix for scaled columns, with scaled rows."""
     if isinstance(C, np.ndarray):
         return C / rows[:, None] * columns
     return diags_array(1 / rows) @ C @ diags_array(columns)
 
 
 def smallest_step(C: Any, residual: Array) -> Array:
-    """The least-squares solution of C dx = residual with the smallest dx."""
+    """Return the least-squares solution of C dx = residual with the smallest dx."""
     if isinstance(C, np.ndarray):
         return np.asarray(np.linalg.lstsq(C, residual, rcond=1e-10)[0])
     size, count = C.shape[1], C.shape[0]

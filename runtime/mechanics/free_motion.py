@@ -1,4 +1,4 @@
-"""Motions that nothing determines: they move no mass, and nothing resists them."""
+"""Detects undetermined motions: they move no mass, and nothing resists them."""
 
 from __future__ import annotations
 
@@ -8,12 +8,12 @@ from flexel.mechanics.inertia import InertiaError
 from flexel.mechanics.saddle import Matrix
 
 UNMOVED = (
-    1e-9  # kinetic energy of a motion, relative to that of its coordinates one by one, that counts as none
+    1e-9  # kinetic energy of a motion, relative to that of its separate coordinates, that counts as zero
 )
 
 
 def check_inertia(matrix: Matrix, M: Any) -> None:
-    """Raise if a motion that a singular matrix of an implicit step leaves free moves no mass: at any step it is free.
+    """Raise if a motion left free by a singular matrix of an implicit step moves no mass: no step determines it.
 
     Parameters
     ----------

@@ -1,7 +1,7 @@
-"""The impulse of prescribed rates that jump: the rates just after it.
+"""Computes the rates just after a jump of prescribed rates.
 
-Forces of laws and loads are finite, so that only constraints act: M (v+ - v-) + C' p = 0 together with C v+ = u'+.  Of
-all rates that satisfy the constraints, v+ are those with the least kinetic energy of v+ - v-.  Source: Pars (1965),
+Forces of laws and loads are finite, so only constraints act: M (v+ - v-) + C' p = 0 together with C v+ = u'+.  Of
+all rates that satisfy the constraints, v+ minimizes the kinetic energy of v+ - v-.  Source: Pars (1965),
 chapter 14.
 """
 
@@ -11,18 +11,19 @@ import numpy as np
 from scipy.sparse import block_array
 
 from flexel.engine.solvers import factorize
+from flexel.mechanics.actuation import refuse_jumps
 from flexel.mechanics.inertia import unmoved
 from flexel.mechanics.kinematics import Kinematics
-from flexel.structure.moment import Moment
+from flexel.model.snapshot import Snapshot
 
 
-def struck(kinematics: Kinematics, before: Moment, t: float) -> Moment:
-    """The instant just after prescribed rates have jumped.
+def struck(kinematics: Kinematics, before: Snapshot, t: float) -> Snapshot:
+    """Return the instant just after prescribed rates have jumped.
 
     Parameters
     ----------
     kinematics : Kinematics
-    before : Moment
+    before : Snapshot
         The instant just before.
     t : float
         A time [s] just after the jump, at which the prescribed rates are evaluated.
@@ -31,12 +32,17 @@ def struck(kinematics: Kinematics, before: Moment, t: float) -> Moment:
     ------
     ConstraintError, InertiaError
         Prescribed rates that contradict the constraints; a degree of freedom without inertia.
+    DynamicsError
+        If actuators hold a path: their forces are finite.
     """
     structure, roles, tables = kinematics.structure, kinematics.roles, kinematics.evaluation.tables
+    refuse_jumps(structure, roles, t)
     nf = structure.nf
     choice = kinematics.given(t)
     work = choice.work
-    work.x[:], work.near[:] = before.x, before.e
+    choice.reset()
+    work.x[:], work.unwrap_from[:] = before.x, before.e
+    work.position()  # what was evaluated last may be a state within the step, for what is stored
     kinematics.check(choice.directions(), t)
     driven = kinematics.velocity(
         choice, np.zeros(roles.nd)
@@ -50,4 +56,4 @@ def struck(kinematics: Kinematics, before: Moment, t: float) -> Moment:
         raise unmoved(None)
     v = driven
     v[:nf] += factors.solve(rhs)[:nf]
-    return Moment(before.t, before.x, v, before.e, work.push(v)[: before.e.size])
+    return Snapshot(before.t, before.x, v, before.e, work.jvp(v)[: before.e.size])

@@ -1,4 +1,4 @@
-"""Motions that move no mass: the error that names them."""
+"""Errors that name motions without mass."""
 
 from __future__ import annotations
 
@@ -6,8 +6,8 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError
-from flexel.structure.roles import Roles
-from flexel.structure.structure import Structure
+from flexel.model.role_lists import Roles
+from flexel.model.structure import Structure
 
 LOST = 1e-12  # inertia of a degree of freedom, relative to the largest eigenvalue, that is not zero
 
@@ -17,7 +17,7 @@ class InertiaError(DynamicsError):
 
 
 def unmoved(name: str | None) -> InertiaError:
-    """The error for a motion that moves no mass, in which a coordinate takes part (None: unknown)."""
+    """Return the error for a motion without mass in which a coordinate takes part (None: unknown)."""
     motion = "a motion" if name is None else f"a motion of '{name}'"
     return InertiaError(
         f"the mass matrix is singular: {motion} moves no mass; give its bodies mass and inertia, or start from rest "
@@ -26,12 +26,12 @@ def unmoved(name: str | None) -> InertiaError:
 
 
 def massless(structure: Structure, roles: Roles, reduced: Array) -> InertiaError:
-    """The error for a reduced mass matrix (nd, nd) that is not positive definite."""
+    """Return the error for a reduced mass matrix (nd, nd) that is not positive definite."""
     w, V = np.linalg.eigh(reduced)
     row = int(np.argmax(np.abs(V[:, 0])))
     culprit = structure.names[roles.dynamic[row]]
-    lost = bool(reduced[row, row] > LOST * w[-1])  # it moves mass together with others only
-    why = ", or too little beside the largest inertia to be seen after rounding" * lost
+    lost = bool(reduced[row, row] > LOST * w[-1])  # it moves mass only together with others
+    why = ", or so little that it is lost in rounding errors of the largest inertia" * lost
     remedy = ", or name coordinates of the heaviest bodies with m.independent(…)" * lost
     return InertiaError(
         f"reduced mass matrix is not positive definite (smallest eigenvalue {w[0]:.3g}, largest {w[-1]:.3g}): "

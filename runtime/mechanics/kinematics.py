@@ -1,8 +1,8 @@
-"""The position and velocity problem: from the degrees of freedom q to the coordinates x and back.
+"""Solves the position and velocity problem: from the degrees of freedom q to the coordinates x and back.
 
 Position: c(x, t) = 0 and the degrees of freedom at their values, by Newton's method, periodic quantities compared
 modulo their periods.  Velocity: B v = (u', 0, q_d').  The work is done in C, see `runtime/engine/explicit.h`;
-messages are made here.  Source: van der Werff (1977); Jonker and Meijaard (1990); Schwab and Meijaard (2003) for the
+messages are written here.  Source: van der Werff (1977); Jonker and Meijaard (1990); Schwab and Meijaard (2003) for the
 non-holonomic rows.
 """
 
@@ -20,16 +20,17 @@ from flexel.base.errors import ConstraintError, FlexelError, ModelError, Positio
 from flexel.base.nested import Levels
 from flexel.base.once import once
 from flexel.base.time_functions import TimeFunction
-from flexel.engine.choice import Choice, ChoiceLists
+from flexel.engine.coordinate_work import CoordinateLists, CoordinateWork
 from flexel.engine.evaluate import Evaluation
-from flexel.engine.linear import Linearizer
+from flexel.engine.linearizer import Linearizer
 from flexel.engine.solvers import null_vector
 from flexel.generated._kernels import lib
-from flexel.mechanics.inertia import InertiaError, massless, unmoved
-from flexel.structure.callbacks import raise_failures
-from flexel.structure.loads import Loads
-from flexel.structure.roles import Roles
-from flexel.structure.structure import Structure
+from flexel.mechanics.actuation import refuse_actuators, unheld
+from flexel.mechanics.inertia import massless, unmoved
+from flexel.model.applied_loads import Loads
+from flexel.model.callbacks import raise_failures
+from flexel.model.role_lists import Roles
+from flexel.model.structure import Structure
 
 SIZES = 1e-5, 1e5  # least and largest extent of a model [m], see `check_size`
 SHOWN = 6  # laws named in a message
@@ -49,7 +50,7 @@ class Configuration:
 
 
 def size_of(structure: Structure) -> float:
-    """Largest extent of the points as drawn along an axis [m]; one if there is only one place."""
+    """Return the largest extent of the drawn points along an axis [m]; one if all points coincide."""
     positions = [node.x0 for node in structure.nodes if node.kind in ("point", "planar_point")]
     if not positions:
         return 1.0
@@ -61,8 +62,8 @@ def size_of(structure: Structure) -> float:
 def check_size(structure: Structure) -> None:
     """Raise if a model is so large or small that lengths and angles cannot be compared.
 
-    Ranks and balances of forces combine lengths and angles, in metres and radians: the smaller of the two would be lost
-    in the rounding of the other.
+    Ranks and balances of forces combine lengths and angles, in metres and radians: the smaller would be lost in the
+    rounding errors of the larger.
     """
     size, (least, most) = size_of(structure), SIZES
     if not least <= size <= most:
@@ -74,18 +75,18 @@ def check_size(structure: Structure) -> None:
 
 
 def natural_scales(structure: Structure) -> Array:
-    """Natural scale of each quantity: the size of the model for lengths, one for the rest."""
+    """Return the natural scale of each quantity: the size of the model for lengths, one for the rest."""
     size = size_of(structure)
     return np.array([size if unit == "m" else 1.0 for unit in structure.units])
 
 
 def turns(difference: Array, period: Array) -> Array:
-    """The whole periods in differences of quantities; zero where a quantity has none."""
+    """Return the whole periods in differences of quantities; zero for a quantity without a period."""
     return period * np.round(np.divide(difference, period, out=np.zeros_like(difference), where=period > 0))
 
 
 def wrap(residual: Array, period: Array) -> Array:
-    """Differences of quantities without whole periods; those without a period unchanged."""
+    """Return differences of quantities without whole periods; those without a period unchanged."""
     return residual - turns(residual, period)
 
 
@@ -98,20 +99,21 @@ class Kinematics:
         self.roles, self.loads = roles, loads
         self._timed = bool(roles.motions) or loads.any
         self._scale = natural_scales(self.structure)
-        self._choices = Levels(lambda: Choice(self.evaluation.work, self.lists))
+        self._choices = Levels(lambda: CoordinateWork(self.evaluation.work, self.lists))
 
     def __reduce__(self) -> tuple[type[Kinematics], tuple[Evaluation, Roles, Loads]]:
-        """Pickled and copied as its arguments: its lists are made again."""
+        """Pickle and copy as the arguments; the lists are made again."""
         return Kinematics, (self.evaluation, self.roles, self.loads)
 
     @once
-    def lists(self) -> ChoiceLists:
+    def lists(self) -> CoordinateLists:
         """The lists of this choice of degrees of freedom for the engine."""
-        return ChoiceLists(self.evaluation.tables, self.roles, self._scale, self.loads.quantities)
+        return CoordinateLists(self.evaluation.tables, self.roles, self._scale, self.loads.quantities)
 
     @once
     def linearizer(self) -> Linearizer:
         """The lists of its linearization."""
+        refuse_actuators(self.structure, self.roles)
         return Linearizer(self.evaluation, self.lists)
 
     @cached_property
@@ -125,8 +127,8 @@ class Kinematics:
         )
 
     @property
-    def choice(self) -> Choice:
-        """The arrays of this choice of degrees of freedom in the workspace of this thread."""
+    def choice(self) -> CoordinateWork:
+        """Return the arrays of this choice of degrees of freedom in the workspace of this thread."""
         return self._choices.present()
 
     @property
@@ -134,8 +136,8 @@ class Kinematics:
         """The prescribed motions and the loads."""
         return (*self.roles.motions, *self.loads.functions)
 
-    def given(self, t: float) -> Choice:
-        """The same, with the prescribed motions and loads at time t."""
+    def given(self, t: float) -> CoordinateWork:
+        """Return these arrays, with the prescribed motions and loads set to time t."""
         choice = self.choice
         if self._timed:
             choice.motion[:] = self.roles.motion(t).ravel()
@@ -143,26 +145,26 @@ class Kinematics:
         return choice
 
     def scales(self, rows: Any) -> Array:
-        """Natural scales of quantities."""
+        """Return the natural scales of quantities."""
         return np.asarray(self._scale[rows])
 
     def values(self, e: Array, x: Array) -> Array:
-        """Values of all quantities; zero for slips, which have none."""
+        """Return the values of all quantities; zero for slips, which have none."""
         y = np.zeros(self._scale.size)
         y[: e.size] = e
         y[y.size - x.size :] = x
         return y
 
     def target(self, motion: Array, q: Array) -> Array:
-        """Target values of the rows of the position problem, for prescribed motions (3, prescribed)."""
+        """Return the target values of the rows of the position problem, for prescribed motions (3, prescribed)."""
         nr, nu = self.roles.rigid.size, self.roles.prescribed.size
         y = np.zeros(nr + nu + q.size)
         y[nr : nr + nu] = motion[0]
         y[nr + nu :] = q
         return y
 
-    def locate(self, t: float, q: Array, guess: Array, near: Array) -> Choice:
-        """The position at time t with degrees of freedom q; x, e and J are then in the workspace of this thread.
+    def locate(self, t: float, q: Array, guess: Array, unwrap_from: Array) -> CoordinateWork:
+        """Find the position at time t with degrees of freedom q; x, e and J are then in this thread's workspace.
 
         Parameters
         ----------
@@ -171,7 +173,7 @@ class Kinematics:
             Values of the degrees of freedom (q_d, q_k); angles over any number of turns.
         guess : ndarray (n,)
             Coordinates to start from.
-        near : ndarray (m,)
+        unwrap_from : ndarray (m,)
             Deformations near the solution, from which whole periods are counted.
 
         Raises
@@ -185,17 +187,17 @@ class Kinematics:
         choice.reset()
         work = choice.work
         work.struct.t = t
-        work.x[:], work.near[:], choice.q[:] = guess, near, q
+        work.x[:], work.unwrap_from[:], choice.q[:] = guess, unwrap_from, q
         self.check(choice.locate(), t)
         return choice
 
-    def velocity(self, choice: Choice, qd: Array) -> Array:
-        """Rates v (n,) of all coordinates for the rates q_d' (nd,), at a position that was located."""
+    def velocity(self, choice: CoordinateWork, qd: Array) -> Array:
+        """Return the rates v (n,) of all coordinates for the rates q_d' (nd,), at a position that was located."""
         choice.qd[:] = qd
         self.check(choice.velocity(), choice.work.struct.t)
         return choice.work.v.copy()
 
-    def check(self, code: int, t: float, choice: Choice | None = None) -> None:
+    def check(self, code: int, t: float, choice: CoordinateWork | None = None) -> None:
         """Raise the error for a return code of the engine.
 
         Raises
@@ -205,8 +207,8 @@ class Kinematics:
         if code:
             raise self.failure(code, t, choice)
 
-    def failure(self, code: int, t: float, choice: Choice | None = None) -> FlexelError:
-        """The error for a return code of the engine, with the names of the model."""
+    def failure(self, code: int, t: float, choice: CoordinateWork | None = None) -> FlexelError:
+        """Return the error for a return code of the engine, with the names of the model."""
         if code == lib.FLEXEL_UNREACHED:
             return PositionError(self._unreached(t, choice or self.choice))
         if code == lib.FLEXEL_MASSLESS:
@@ -219,9 +221,11 @@ class Kinematics:
             "choose other independent coordinates"
         )
 
-    def _massless(self, choice: Choice) -> InertiaError:
-        """The error of a motion that moves no mass, by name."""
+    def _massless(self, choice: CoordinateWork) -> FlexelError:
+        """Return the error for a motion without mass, by name."""
         s, A = self.structure, self.lists.A
+        if self.roles.actuated:
+            return unheld(s, self.roles)
         if not self.lists.saddle:
             return massless(s, self.roles, self._reduced_mass(choice))
         values = np.concatenate([choice.work.M, choice.work.J])[A.source]
@@ -229,14 +233,14 @@ class Kinematics:
         moved = None if motion is None else s.names[s.m + s.k + int(np.argmax(np.abs(motion[: s.nf])))]
         return unmoved(moved)
 
-    def _reduced_mass(self, choice: Choice) -> Array:
-        """H' M H (nd, nd) of the last evaluation."""
+    def _reduced_mass(self, choice: CoordinateWork) -> Array:
+        """Return H' M H (nd, nd) of the last evaluation."""
         nf = self.structure.nf
         H, M = choice.H, self.evaluation.matrix(self.evaluation.tables.M, choice.work.M)[:nf, :nf]
         return np.asarray(H.T @ (M @ H))
 
-    def _unreached(self, t: float, choice: Choice) -> str:
-        """Message for a position that was not reached."""
+    def _unreached(self, t: float, choice: CoordinateWork) -> str:
+        """Write the message for a position that was not reached."""
         residual = choice.residual
         if np.isnan(residual[self.roles.holonomic.size :]).any():
             laws = self.structure.laws
@@ -259,17 +263,17 @@ class Kinematics:
 
     @cached_property
     def _conditions(self) -> tuple[Array, Array | None]:
-        """Natural scales of the rigid quantities, and their periods, if any of them has one."""
+        """Return the natural scales of the rigid quantities, and their periods, if any of them has one."""
         rows = self.roles.rigid
         period = self.structure.period[rows]
         return self.scales(rows), period if period.any() else None
 
     def drift(self, e: Array) -> float:
-        """Largest violation of the rigid conditions, relative to their natural scales."""
+        """Return the largest violation of the rigid conditions, relative to their natural scales."""
         held, (scales, period) = e[self.roles.rigid], self._conditions
         held = held if period is None else wrap(held, period)
         return float(np.abs(held / scales).max(initial=0.0))
 
     def names(self, rows: Any) -> str:
-        """Names of quantities, for messages."""
+        """Name quantities in messages."""
         return ", ".join(f"'{self.structure.names[i]}'" for i in rows)

@@ -1,4 +1,4 @@
-"""Analytic linearization about any state, holonomic or not; nothing is differentiated numerically.
+"""Linearizes analytically about any state, holonomic or not; nothing is differentiated numerically.
 
 Symbols as in the formulation: G = dx/dq, H = dv/dq_d', N = dv/dq, A_q, A_v; M̄ δq_d'' + C̄ δq_d' + K̄ δq + Z δz = F̄
 δu, δq_k' = 𝒜 δq_d' + ℬ δq, and for internal states of laws δz' = Z_v δq_d' + Z_q δq + Z_z δz.
@@ -14,17 +14,17 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.engine.derivatives import Derivatives, check_laws
-from flexel.engine.linear import Linearized
+from flexel.engine.linearizer import Linearized
 from flexel.engine.solvers import definite
 from flexel.mechanics.inertia import massless
 from flexel.mechanics.kinematics import Kinematics
-from flexel.mechanics.linearization import Linearization
-from flexel.mechanics.transfer import Transfer
-from flexel.structure.state import State, own_state
+from flexel.mechanics.linearized_system import LinearizedSystem
+from flexel.mechanics.transfer import GeometricTransfer
+from flexel.model.state import State, own_state
 
 
-def linearize(kinematics: Kinematics, state: State) -> Linearization:
-    """Linearized equations of motion about a complete state.
+def linearize(kinematics: Kinematics, state: State) -> LinearizedSystem:
+    """Linearize the equations of motion about a complete state.
 
     Raises
     ------
@@ -36,8 +36,8 @@ def linearize(kinematics: Kinematics, state: State) -> Linearization:
     return linearize_all(kinematics, [state])[0]
 
 
-def linearize_all(kinematics: Kinematics, states: Sequence[State]) -> list[Linearization]:
-    """The same about several states in one call of the engine; each result is independent of the others."""
+def linearize_all(kinematics: Kinematics, states: Sequence[State]) -> list[LinearizedSystem]:
+    """Linearize about several states in one call of the engine; each result is independent of the others."""
     for state in states:
         own_state(kinematics.structure, state, "linearize")
     rows = kinematics.linearizer.rows(states)
@@ -46,7 +46,7 @@ def linearize_all(kinematics: Kinematics, states: Sequence[State]) -> list[Linea
 
 
 def linearized(kinematics: Kinematics, rows: Array) -> Stack:
-    """Linearized equations at complete states in rows, see `Linearizer.rows`; raises as `linearize`."""
+    """Linearize at complete states in rows, see `Linearizer.rows`; raises as `linearize`."""
     structure, roles, linearizer = kinematics.structure, kinematics.roles, kinematics.linearizer
     found = linearizer.run(kinematics.choice, rows)
     for i in range(found.done + bool(found.code)):
@@ -56,9 +56,9 @@ def linearized(kinematics: Kinematics, rows: Array) -> Stack:
     transfers = linearizer.transfers(found)
     matrices = transfers[1][:, :, : roles.nd].transpose(0, 2, 1) @ found.factors
     matrices[:, :, linearizer.width :] += found.laws
-    for z in matrices:
-        if not definite(z[:, : roles.nd]):
-            raise massless(structure, roles, z[:, : roles.nd])
+    for matrix in matrices:
+        if not definite(matrix[:, : roles.nd]):
+            raise massless(structure, roles, matrix[:, : roles.nd])
     return Stack(kinematics, found, transfers, matrices)
 
 
@@ -86,30 +86,30 @@ class Stack:
             ("B_k", "B_ku", nq): rolling[:, :, width:],
         }
         self.blocks: dict[str, Array] = {}
-        for (own, prescribed, size), z in parts.items():
-            self.blocks[own], self.blocks[prescribed] = z[:, :, :size], z[:, :, size : size + nu]
+        for (own, prescribed, size), block in parts.items():
+            self.blocks[own], self.blocks[prescribed] = block[:, :, :size], block[:, :, size : size + nu]
 
     @property
     def H(self) -> Array:  # noqa: N802
         """First-order transfer functions (states, nf, nd)."""
         return self._transfers[1][:, :, : self.kinematics.roles.nd]
 
-    def transfer(self, i: int) -> Transfer:
-        """Transfer functions at state number i."""
+    def transfer(self, i: int) -> GeometricTransfer:
+        """Return the transfer functions at state number i."""
         roles, width = self.kinematics.roles, self.kinematics.linearizer.width
-        G, first, second = (z[i] for z in self._transfers[:3])
+        G, first, second = (transfer[i] for transfer in self._transfers[:3])
         nu = roles.prescribed.size
         r, p = slice(0, roles.nd + nu), slice(width, width + roles.nq + nu)
-        return Transfer(G[:, : roles.nq + nu], first[:, p], first[:, r], second[:, p], second[:, r])
+        return GeometricTransfer(G[:, : roles.nq + nu], first[:, p], first[:, r], second[:, p], second[:, r])
 
-    def about(self, state: State, i: int) -> Linearization:
-        """The equations at state number i, which is given."""
+    def about(self, state: State, i: int) -> LinearizedSystem:
+        """Return the equations at state number i, which is given."""
         kinematics = self.kinematics
         dynamic, kinematic, prescribed = kinematics.role_names
         X, T = self.transfer(i), kinematics.linearizer.derivatives(self.found, i)
-        return Linearization(
-            **{name: z[i] for name, z in self.blocks.items()},
-            **self.lags(X, T),
+        return LinearizedSystem(
+            **{name: block[i] for name, block in self.blocks.items()},
+            **self.internal_states(X, T),
             dynamic=dynamic,
             kinematic=kinematic,
             prescribed=prescribed,
@@ -119,21 +119,23 @@ class Stack:
             derivatives=T,
         )
 
-    def all_lags(self) -> dict[str, Array]:
-        """The blocks of the laws' internal states at all states (states, …), by name."""
+    def all_internal_states(self) -> dict[str, Array]:
+        """Return the blocks of the laws' internal states at all states (states, …), by name."""
         linearizer = self.kinematics.linearizer
         numbers = range(self.found.factors.shape[0])
-        some = [self.lags(self.transfer(i), linearizer.derivatives(self.found, i)) for i in numbers]
-        return {name: np.array([z[name] for z in some]) for name in some[0]}
+        some = [
+            self.internal_states(self.transfer(i), linearizer.derivatives(self.found, i)) for i in numbers
+        ]
+        return {name: np.array([linearization[name] for linearization in some]) for name in some[0]}
 
-    def lags(self, X: Transfer, T: Derivatives) -> dict[str, Array]:
-        """Z, Z_v, Z_q and Z_z of the laws' internal states, and the part of prescribed motions."""
+    def internal_states(self, X: GeometricTransfer, T: Derivatives) -> dict[str, Array]:
+        """Return Z, Z_v, Z_q and Z_z of the laws' internal states, and the part of prescribed motions."""
         s, roles = self.kinematics.structure, self.kinematics.roles
         nf, nd = s.nf, roles.nd
         if not s.nz:
             rates, values = np.zeros((0, X.H.shape[1])), np.zeros((0, X.G.shape[1]))
             return self._lag_blocks(np.zeros((nd, 0)), rates, values, np.zeros((0, 0)))
-        zd_x, zd_v, zd_z = T.lags
+        zd_x, zd_v, zd_z = T.internal_states
         zd_x, zd_v = zd_x[:, :nf], zd_v[:, :nf]
         J = self.kinematics.evaluation.tables.J.matrix(T.J)[: s.m + s.k][:, :nf]
         Z_v, Z_q = zd_v @ X.H, zd_x @ X.G + zd_v @ X.N

@@ -1,4 +1,4 @@
-"""Modal damping: every mode of a linearization gets the same damping ratio."""
+"""Adds modal damping: every mode of a linearization gets the same damping ratio."""
 
 from __future__ import annotations
 
@@ -9,15 +9,15 @@ from scipy.linalg import eigh
 
 from flexel.base.arguments import not_negative
 from flexel.base.errors import DynamicsError, LinearizationError
-from flexel.mechanics.linearization import Linearization
+from flexel.mechanics.linearized_system import LinearizedSystem
 
 
-def with_modal_damping(lin: Linearization, ratio: float) -> Linearization:
-    """The linearization with the damping 2 ζ ω of each undamped mode added to C; unstable modes get none.
+def with_modal_damping(lin: LinearizedSystem, ratio: float) -> LinearizedSystem:
+    """Add the damping 2 ζ ω of each undamped mode to C; unstable modes get none.
 
     Parameters
     ----------
-    lin : Linearization
+    lin : LinearizedSystem
         About a state of rest, without rolling wheels.
     ratio : float
         Damping ratio ζ of all modes.

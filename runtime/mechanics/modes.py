@@ -41,7 +41,7 @@ class Mode:
     HEAD: ClassVar[tuple[str, ...]] = ("mode", "eigenvalue [1/s]", "frequency [Hz]", "damping")
 
     def row(self) -> tuple[str, ...]:
-        """The line in a table of modes."""
+        """Return its line in a table of modes."""
         return self.name, self._eigenvalue, f"{self.hertz:.5g}", self._damping
 
     def __repr__(self) -> str:
@@ -51,8 +51,8 @@ class Mode:
 
     @property
     def _eigenvalue(self) -> str:
-        z = self.eigenvalue
-        return f"{z:.5g}" if z.imag else f"{z.real:.5g}"
+        value = self.eigenvalue
+        return f"{value:.5g}" if value.imag else f"{value.real:.5g}"
 
     @property
     def _damping(self) -> str:
@@ -60,7 +60,7 @@ class Mode:
 
     @property
     def name(self) -> str:
-        """The two degrees of freedom with the largest participation, and how many others have a quarter of it."""
+        """Name the two degrees of freedom with the largest participation, and count others with a quarter of it."""
         order = sorted(self.participation, key=lambda name: -self.participation[name])
         large = [name for name in order if self.participation[name] >= 0.25 * self.participation[order[0]]]
         others = [f"{len(large) - NAMED} more"] if len(large) > NAMED else []
@@ -104,16 +104,16 @@ class Reduced:
 
     @property
     def state_matrix(self) -> Array:
-        """First-order form for (q', q)."""
+        """Return the matrix of the first-order form for (q', q)."""
         return first_order(self.M, (self.C, self.K))
 
     def eigenvalues(self) -> ComplexArray:
-        """The 2 n eigenvalues [1/s], sorted by real, then imaginary part."""
+        """Return the 2 n eigenvalues [1/s], sorted by real, then imaginary part."""
         return sort_eigenvalues(eigenvalues(self.state_matrix))
 
 
 def places_of(names: Sequence[str], dynamic: Sequence[str]) -> Index:
-    """Places of some dynamic degrees of freedom among all.
+    """Return the indices of some dynamic degrees of freedom among all.
 
     Raises
     ------
@@ -135,7 +135,7 @@ def places_of(names: Sequence[str], dynamic: Sequence[str]) -> Index:
 def check_decoupled(
     names: Sequence[str], columns: Mapping[str, Sequence[str]], sizes: Sequence[float], tolerance: float
 ) -> None:
-    """Check that nothing but the named degrees of freedom enters their equations.
+    """Check that only the named degrees of freedom enter their equations.
 
     Parameters
     ----------
@@ -166,7 +166,7 @@ def check_decoupled(
 
 
 def first_order(M: Array, forces: Sequence[Array], *rest: Sequence[Array]) -> Array:
-    """Matrices (…, n, n) of first-order equations for (q_d', q_d, …), from M q_d'' + forces = 0.
+    """Return matrices (…, n, n) of first-order equations for (q_d', q_d, …), from M q_d'' + forces = 0.
 
     Parameters
     ----------
@@ -174,7 +174,7 @@ def first_order(M: Array, forces: Sequence[Array], *rest: Sequence[Array]) -> Ar
     forces : sequence of ndarray (…, nd, columns)
         Blocks, side by side, by columns of all n unknowns.
     *rest : sequence of ndarray (…, rows, columns)
-        Rates of the unknowns after q_d: blocks side by side; columns that are left out are zero.
+        Rates of the unknowns after q_d: adjacent blocks; omitted columns are zero.
     """
     top = np.concatenate(forces, axis=-1)
     nd, n = top.shape[-2:]
@@ -191,7 +191,7 @@ def first_order(M: Array, forces: Sequence[Array], *rest: Sequence[Array]) -> Ar
 
 
 def modes_of(found: Spectrum, names: tuple[str, ...], nd: int) -> Listing[Mode]:
-    """Modes of first-order equations for (q_d', q_d, q_k, z), one for each complex pair, sorted as the eigenvalues.
+    """Return the modes of first-order equations for (q_d', q_d, q_k, z), one per complex pair, in eigenvalue order.
 
     The `names` are those of (q_d, q_k, z); the first `nd` of them are dynamic.
     """
@@ -208,12 +208,12 @@ def _mode(value: complex, left: ComplexArray, right: ComplexArray, names: tuple[
     share = np.abs(left.conj() * right)
     share = np.concatenate([share[:nd] + share[nd : 2 * nd], share[2 * nd :]])
     total = float(share.sum()) or 1.0
-    shape = {n: complex(z / pivot) for n, z in zip(names, displacement, strict=True)}
-    return Mode(value, shape, {n: float(z / total) for n, z in zip(names, share, strict=True)})
+    shape = {n: complex(entry / pivot) for n, entry in zip(names, displacement, strict=True)}
+    return Mode(value, shape, {n: float(part / total) for n, part in zip(names, share, strict=True)})
 
 
 def sort_eigenvalues(values: Any) -> ComplexArray:
-    """Complex numbers sorted by real, then imaginary part; real parts equal to rounding count as equal."""
+    """Return the order of complex numbers by real, then imaginary part; real parts equal to rounding count as equal."""
     w = np.asarray(values, dtype=complex)
     scale = np.abs(w).max(initial=1e-300)
     order = np.lexsort((w.imag, np.round(w.real / scale, 11)))

@@ -1,4 +1,4 @@
-"""Newton's method for equilibria, paths and steady motion: one loop, with one convergence criterion."""
+"""Newton's method for equilibria, paths and steady motion: one loop with one convergence criterion."""
 
 from __future__ import annotations
 
@@ -49,10 +49,10 @@ def newton(
     stalled: float,
     most: int,
 ) -> Arrival[Point, Equations]:
-    """Newton's method from a starting point.
+    """Apply Newton's method from a starting point.
 
     It has converged when the error is below the tolerance, or below `stalled` and no longer halved, since rounding
-    prevents further progress.  It stops at an error that is not finite, or a step without progress.
+    errors prevent further progress.  It stops at an error that is not finite, or a step without progress.
 
     Parameters
     ----------
@@ -86,5 +86,5 @@ def newton(
 
 
 def shortened(step: Array, size: float, longest: float) -> Array:
-    """A step limited to the size `longest` in natural scales."""
+    """Limit a step to the size `longest` in natural scales."""
     return step * min(1.0, longest / max(size, 1e-300))

@@ -1,4 +1,4 @@
-"""Which quantities are preferred as degrees of freedom: relative angles, and coordinates of much heavier bodies."""
+"""Ranks quantities as degrees of freedom: relative angles, and coordinates of much heavier bodies, are preferred."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ RELATIVE = 3.0  # relative angles and elongations are preferred to absolute coor
 SPREAD = (
     1e10  # ratio of the largest inertia to the smallest above which the heavier coordinates are preferred
 )
-POWER = 0.1  # by which a larger inertia counts: a ratio of 1e20 makes a factor of 100
+POWER = 0.1  # exponent of the inertia ratio: a ratio of 1e20 makes a factor of 100
 
 
 def preferences(kinematics: Kinematics, rows: Index) -> Array:
-    """Weights of rates of quantities of one kind, to compare them as degrees of freedom.
+    """Return weights of rates of quantities of one kind, to compare them as degrees of freedom.
 
     Parameters
     ----------
@@ -34,10 +34,10 @@ def preferences(kinematics: Kinematics, rows: Index) -> Array:
 
 
 def heaviness(kinematics: Kinematics, rows: Index) -> Array:
-    """Factors, at least one, by which quantities are preferred for their inertia as drawn; one in most models.
+    """Return factors, at least one, by which quantities are preferred for their inertia as drawn; one in most models.
 
-    A heavy body must not move by the difference of two light bodies: its inertia in the reduced mass matrix then
-    exceeds that of the light ones so far that rounding loses theirs.
+    A heavy body must not move by the difference between two light bodies: its inertia in the reduced mass matrix then
+    exceeds those of the light bodies so far that rounding errors hide them.
     """
     first = kinematics.structure.m + kinematics.structure.k
     inertia = kinematics.evaluation.inertia * kinematics.scales(slice(first, None)) ** 2

@@ -1,4 +1,4 @@
-"""Eigenvalues of first-order equations without rounding errors where they are zero."""
+"""Computes eigenvalues of first-order equations, exact where they are zero."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ _balance: Any = matrix_balance
 
 
 def spectrum(A: Array, nd: int) -> tuple[ComplexArray, ComplexArray, ComplexArray]:
-    """Eigenvalues of a state matrix (n, n), with left and right eigenvectors in columns.
+    """Compute the eigenvalues of a state matrix (n, n), with left and right eigenvectors in columns.
 
-    Those of rigid-body motions are zero, but often defective: computed, they are as large as a root of the rounding
-    errors.  Without the entries that may come from rounding the matrix has a number of zero eigenvalues: so many of the
+    The eigenvalues of rigid-body motions are zero, but often defective: numerically, they are as large as a root of the
+    rounding errors.  The matrix without entries at rounding level has a number of zero eigenvalues: as many of the
     smallest are set to zero, if they are no larger than this root.
 
     Parameters
@@ -48,7 +48,7 @@ def spectrum(A: Array, nd: int) -> tuple[ComplexArray, ComplexArray, ComplexArra
 
 
 def _zeros(A: Array) -> int:
-    """How many eigenvalues are smaller than their own error bound: rounding, times norm, times condition."""
+    """Count the eigenvalues smaller than their error bounds: rounding, times norm, times condition."""
     balanced = _balance(A, permute=False)[0]
     w, left, right = _eig(balanced, left=True, right=True)
     product = np.abs((left.conj() * right).sum(axis=0))

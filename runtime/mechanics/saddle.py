@@ -11,14 +11,15 @@ from numpy.typing import NDArray
 
 from flexel.base.arrays import Array, Index
 from flexel.base.errors import DynamicsError
+from flexel.base.shown import quoted
 from flexel.engine.elimination import Eliminated, Elimination, LargeFactors
 from flexel.engine.solvers import least, null_vector
 from flexel.engine.workspace import Workspace
-from flexel.mechanics.diagnose import largest, quoted
-from flexel.structure.structure import Structure
+from flexel.mechanics.diagnose import largest
+from flexel.model.structure import Structure
 
-CONSISTENT = 1e-10  # singular values, relative to the largest, that a least-squares solution takes as zero
-ROUNDING = 1e-13  # singular values, relative to the largest, that are zero but for rounding
+CONSISTENT = 1e-10  # singular values, relative to the largest, that a least-squares solution treats as zero
+ROUNDING = 1e-13  # singular values, relative to the largest, that count as rounding errors of zero
 
 
 class SaddlePattern:
@@ -39,7 +40,7 @@ class SaddlePattern:
     ----------
     elimination : Elimination
     source : ndarray of int (stored,)
-        Places of the stored entries in the values of a workspace.
+        Positions of the stored entries in the values of a workspace.
     """
 
     def __init__(
@@ -69,12 +70,12 @@ class SaddlePattern:
         self.source: Index = source[np.lexsort((rows, columns))]
 
     def _rows(self, quantities: Index) -> tuple[Index, Index, Index]:
-        """Entries of J over the free coordinates in some of its rows, the numbers of these, and the columns."""
+        """Return the entries of J over the free coordinates in some of its rows, with the row and column numbers."""
         entries, rows = self._J.rows_of(quantities, self.structure.nf)
         return entries, rows, self._J.column[entries]
 
     def matrix(self, work: Workspace) -> Matrix:
-        """The matrix from the values that a workspace holds."""
+        """Return the matrix for the values that a workspace holds."""
         return Matrix(self.structure, self.elimination, work.values[self.source])
 
 
@@ -102,16 +103,16 @@ class Matrix:
         return self.pattern.matrix(self.stored)
 
     def least_solution(self, rhs: Array) -> tuple[Array, Array]:
-        """The smallest least-squares solution in scaled unknowns, and what it misses of the right-hand side.
+        """Return the smallest least-squares solution in scaled unknowns, and the remaining right-hand side.
 
-        Motions that nothing resists, but for rounding, are left out.
+        Motions without resistance, up to rounding errors, are left out.
         """
         A, scale = self._scaled()
         x = scale * least(A, scale * rhs, CONSISTENT)
         return x, rhs - self.sparse @ x
 
     def solve(self, rhs: Array) -> Array:
-        """Solution for one or several right-hand sides; names the unresisted motion if the matrix is singular.
+        """Solve for one or several right-hand sides; name the unresisted motion if the matrix is singular.
 
         Raises
         ------
@@ -128,15 +129,13 @@ class Matrix:
         )
 
     def free_motion(self) -> Array | None:
-        """A motion (nf,) of the coordinates that a singular matrix maps to zero; None if there is none."""
+        """Return a motion (nf,) of the coordinates that a singular matrix maps to zero; None if there is none."""
         found = null_vector(self.sparse)
         motion = None if found is None else found[: self.structure.nf]
-        return (
-            motion if motion is not None and np.any(motion) else None
-        )  # else multipliers that nothing determines
+        return motion if motion is not None and np.any(motion) else None  # otherwise undetermined multipliers
 
     def free_motions(self) -> Array:
-        """Orthonormal motions (nf, r) of the coordinates that the matrix maps to zero, but for rounding."""
+        """Return orthonormal motions (nf, r) of the coordinates that the matrix maps to zero, up to rounding errors."""
         A, scale = self._scaled()
         _, sizes, rows = np.linalg.svd(A)
         motions = (scale * rows[sizes <= ROUNDING * (sizes.max(initial=0.0) or 1.0)])[
@@ -146,12 +145,12 @@ class Matrix:
         return np.asarray(basis[:, lengths > CONSISTENT * lengths.max(initial=0.0)])
 
     def _scaled(self) -> tuple[Array, Array]:
-        """The matrix with scaled rows and columns, and their scale."""
+        """Return the matrix with scaled rows and columns, and their scale."""
         A = self.sparse.toarray()
         scale = 1 / np.sqrt(np.maximum(np.abs(A).max(axis=1), 1e-12 * (self.size or 1.0)))
         return scale[:, None] * A * scale, scale
 
     def names_of(self, motion: Array) -> str:
-        """The coordinates that take part in a motion (nf,), in quotes."""
+        """Name the coordinates that take part in a motion (nf,), in quotes."""
         first = self.structure.m + self.structure.k
         return quoted(largest(self.structure, np.arange(motion.size) + first, motion))

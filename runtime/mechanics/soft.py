@@ -1,9 +1,9 @@
-"""Eigenvalues that are small beside the largest, to their last digits.
+"""Computes eigenvalues that are small relative to the largest, to their last digits.
 
-An eigenvalue of a state matrix has an error of rounding times the largest one: the frequency of a leaf spring in
-bending is known to ten digits beside those in tension.  Inverse iteration with the equations E x' = F x themselves,
+An eigenvalue of a state matrix has a rounding error proportional to the largest eigenvalue: the bending frequency of a
+leaf spring is then accurate to ten digits.  Inverse iteration with the equations E x' = F x themselves,
 without the inverse of the mass matrix, gives right and left vectors, and their Rayleigh quotient an eigenvalue whose
-error is of second order in those of the vectors.  Eigenvalues near one another are taken together.
+error is of second order in those of the vectors.  Nearly equal eigenvalues are treated together.
 Source: Parlett (1974), Math. Comp. 28, "The Rayleigh quotient iteration and some generalizations for nonnormal
 matrices".
 """
@@ -17,8 +17,8 @@ from scipy.linalg import eig, get_lapack_funcs
 
 from flexel.base.arrays import Array, ComplexArray, Index
 
-SOFT = 1e-3  # eigenvalues below, relative to the largest, are corrected
-NEAR = 1e-4  # distance of the shift, and of eigenvalues that are taken together, relative to them
+SOFT = 1e-3  # eigenvalues below this, relative to the largest, are corrected
+NEAR = 1e-4  # distance of the shift, and of eigenvalues that are treated together, relative to them
 TURNS = 2  # steps of inverse iteration
 TRUSTED = 1e-3  # largest relative change that is a correction of the last digits
 
@@ -30,7 +30,7 @@ _solved: Any = get_lapack_funcs("getrs", dtype=np.complex128)
 
 
 def corrected(found: Spectrum, M: Array, forces: Array, A: Array) -> Spectrum:
-    """The spectrum of a state matrix with its small eigenvalues corrected.
+    """Correct the small eigenvalues in the spectrum of a state matrix.
 
     Parameters
     ----------
@@ -51,7 +51,7 @@ def corrected(found: Spectrum, M: Array, forces: Array, A: Array) -> Spectrum:
     for group in _groups(values, soft):
         twins = [
             place + 1 for place in group
-        ]  # LAPACK puts the conjugate behind that with positive imaginary part
+        ]  # LAPACK puts the conjugate after the one with positive imaginary part
         above, below = np.all(values[group].imag > 0), np.all(values[group].imag < 0)
         if below:
             continue
@@ -74,7 +74,7 @@ class _Equations:
         self.scale = 1 / np.maximum(np.abs(self.F).max(axis=1), np.abs(self.E).max(axis=1))
 
     def corrected(self, values: ComplexArray, left: ComplexArray, right: ComplexArray) -> Spectrum | None:
-        """Eigenvalues near one another, and their vectors; None where they do not agree with those given."""
+        """Return nearly equal eigenvalues, and their vectors; None if they do not agree with the given ones."""
         shift = values.mean() * (1 - NEAR)
         matrix = self.scale[:, None] * (self.F - shift * self.E)
         *factors, singular = _factors(matrix)
@@ -97,19 +97,19 @@ class _Equations:
         new = np.asarray(new)[order]
         if not np.all(np.abs(new - values[_order(values)]) <= TRUSTED * np.abs(values)):  # false for NaN
             return None
-        places = np.argsort(_order(values))  # back in the order given
+        places = np.argsort(_order(values))  # back to the given order
         found = new[places], (other @ own_left)[:, order][:, places], (right @ own_right)[:, order][:, places]
         left = self.E.T @ (self.scale[:, None] * found[1])
         return found[0], _units(left), _units(found[2])
 
 
 def _groups(values: ComplexArray, chosen: Index) -> list[list[int]]:
-    """The chosen eigenvalues, those that are near one another together."""
+    """Group the chosen eigenvalues, nearly equal ones together."""
     groups: list[list[int]] = []
     for place in sorted(chosen.tolist(), key=lambda number: abs(values[number])):
-        near = [g for g in groups if np.any(np.abs(values[g] - values[place]) <= NEAR * abs(values[place]))]
-        groups = [g for g in groups if g not in near]
-        groups.append([*(number for g in near for number in g), place])
+        close = [g for g in groups if np.any(np.abs(values[g] - values[place]) <= NEAR * abs(values[place]))]
+        groups = [g for g in groups if g not in close]
+        groups.append([*(number for g in close for number in g), place])
     return groups
 
 
@@ -118,7 +118,7 @@ def _order(values: ComplexArray) -> Index:
 
 
 def _turned(matrix: Any, factors: Any, rhs: ComplexArray, way: int) -> ComplexArray:
-    """Solutions of unit size that are orthogonal to one another; solved, and corrected once."""
+    """Return mutually orthogonal solutions of unit size; solved, and corrected once."""
     x = _solved(*factors, rhs, trans=way)[0]
     x = x + _solved(*factors, rhs - matrix @ x, trans=way)[0]
     return np.asarray(np.linalg.qr(x)[0])

@@ -1,8 +1,8 @@
-"""Rates at the start of a motion: those that are given, and the others as a person would expect them.
+"""Chooses the rates at the start of a motion: the given ones, and the others as a person would expect them.
 
-Rates that are given by name and those of prescribed motions hold.  Where they leave a choice, deformations with a law
-do not change, then other free deformations do not; what is left has the least kinetic energy.  The result does not
-depend on the choice of the degrees of freedom.
+Given rates and those of prescribed motions hold.  If they leave a choice, deformations with a law do not change, then
+other free deformations do not; the remaining rates minimize the kinetic energy.  The result does not depend on the
+choice of the degrees of freedom.
 """
 
 from __future__ import annotations
@@ -16,20 +16,20 @@ from scipy.sparse import block_array, diags_array, eye_array, vstack
 from flexel.base.arguments import numbers
 from flexel.base.arrays import Array, Index
 from flexel.base.errors import DynamicsError, PositionError
-from flexel.engine.choice import Choice
+from flexel.engine.coordinate_work import CoordinateWork
 from flexel.engine.solvers import factorize, least
 from flexel.mechanics.kinematics import Kinematics
-from flexel.structure.structure import Structure
+from flexel.model.structure import Structure
 
 HELD = 1e-14  # softness of conditions, which may be redundant
 DEPENDENT = 1e-9  # relative size of a given rate that counts as dependent on others
 LIGHT = 1e-9  # weight of directions that a level does not concern
-SWEEPS = 4  # each takes away all but that share of what the weight leaves
-CONSISTENT = 1e-9  # error of a given rate, relative to the largest, from which it is contradictory
+SWEEPS = 4  # each reduces the error left by the weight to this share
+CONSISTENT = 1e-9  # error of a given rate, relative to the largest, above which it is contradictory
 
 
-def consistent_rates(kinematics: Kinematics, choice: Choice, rates: Mapping[str, float]) -> Array:
-    """Rates q_d' (nd,) that give the named rates, and the expected ones elsewhere, at a position that was located.
+def consistent_rates(kinematics: Kinematics, choice: CoordinateWork, rates: Mapping[str, float]) -> Array:
+    """Find rates q_d' (nd,) that give the named rates, and the expected ones elsewhere, at a position that was located.
 
     Raises
     ------
@@ -43,7 +43,7 @@ def consistent_rates(kinematics: Kinematics, choice: Choice, rates: Mapping[str,
 
     def rates_of(qd: Array) -> Array:
         v = kinematics.velocity(choice, qd)
-        return np.concatenate([work.push(v), v])
+        return np.concatenate([work.jvp(v), v])
 
     first, dynamic = rates_of(still), kinematics.roles.dynamic
     if not nd or not (np.any(wanted) or np.any(first)):
@@ -54,9 +54,9 @@ def consistent_rates(kinematics: Kinematics, choice: Choice, rates: Mapping[str,
     else:
         work.inertia()
         v = _expected(kinematics, choice, first, rows, wanted)
-        qd = np.concatenate([work.push(v), v])[dynamic]
+        qd = np.concatenate([work.jvp(v), v])[dynamic]
         found = rates_of(qd)
-        if not kinematics.lists.saddle:  # the last digit of what is given
+        if not kinematics.lists.saddle:  # for the last digit of the given rates
             found = rates_of(qd + least(choice.unit_rates(rows), wanted - found[rows], DEPENDENT))
             qd = choice.qd.copy()
     off = np.abs(wanted - found[rows])
@@ -74,9 +74,9 @@ def consistent_rates(kinematics: Kinematics, choice: Choice, rates: Mapping[str,
 
 
 def held_still(structure: Structure) -> tuple[Index, Index]:
-    """Deformations that do not change at the start if they need not: those with laws, and the other ones.
+    """Return the deformations that keep their values at the start if possible: those with laws, and the others.
 
-    Contacts are left out: what touches may slide and separate.
+    Contacts are left out: touching bodies may slide and separate.
     """
     acting = [[structure.find(name) for name in law.deformations] for law in structure.laws]
     touching = {i for rows in acting if any(structure.kinds[i] == "gap" for i in rows) for i in rows}
@@ -85,8 +85,10 @@ def held_still(structure: Structure) -> tuple[Index, Index]:
     return np.array(sorted(elastic), dtype=np.intp), np.array(sorted(other), dtype=np.intp)
 
 
-def _expected(kinematics: Kinematics, choice: Choice, first: Array, rows: Index, wanted: Array) -> Array:
-    """Rates v (n,): level by level the least rates of some quantities, among those that are least in earlier levels.
+def _expected(
+    kinematics: Kinematics, choice: CoordinateWork, first: Array, rows: Index, wanted: Array
+) -> Array:
+    """Find rates v (n,): level by level the least rates of some quantities, among those least in earlier levels.
 
     Parameters
     ----------
@@ -116,12 +118,12 @@ def _expected(kinematics: Kinematics, choice: Choice, first: Array, rows: Index,
 
 
 def _scaled(kinematics: Kinematics, J: Any, rows: Index) -> Any:
-    """Rows of a sparse matrix, relative to the natural scales of their quantities."""
+    """Return the rows of a sparse matrix, relative to the natural scales of their quantities."""
     return diags_array(1 / kinematics.scales(rows)) @ J.tocsr()[rows]
 
 
 def _least(K: Any, f: Array, hard: Any, kept: Array, u: Array) -> Array:
-    """The vector (n,) near u that makes u' K u/2 - f' u least, with `hard` u = `kept`; sparse matrices."""
+    """Return the vector (n,) near u that minimizes u' K u/2 - f' u, with `hard` u = `kept`; sparse matrices."""
     size = float(abs(K).max()) if K.nnz else 0.0
     if not size:
         return u

@@ -1,4 +1,4 @@
-"""Whether a state is an equilibrium or a steady motion, about which eigenvalues describe the motion that follows."""
+"""Checks that a state is an equilibrium or a steady motion, so that eigenvalues describe the motion that follows."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import UnsteadyWarning
-from flexel.structure.state import State
+from flexel.model.state import State
 
-UNSTEADY = 1e-6  # residual forces, relative to those that balance, above which a state is not steady
-SMALL = 1e-3  # accelerations that count as small where no forces act, as the tolerance of steady motions
+UNSTEADY = 1e-6  # residual forces, relative to the balancing forces, above which a state is not steady
+SMALL = 1e-3  # accelerations that count as small if no forces act, like the tolerance of steady motions
 
 
 def acceleration(M: Array, H: Array, state: State) -> float:  # noqa: N803
-    """Largest residual force M q_d'' at a state, relative to the forces that balance.
+    """Return the largest residual force M q_d'' at a state, relative to the balancing forces.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""Numbers of a model that look as if given in another unit, and parts without effect.
+"""Finds values that suggest a different unit, and parts without effect.
 
 Every engineering material lies well within the limits.  A finding is a suspicion, not an error.
 """
@@ -11,28 +11,28 @@ from dataclasses import dataclass
 import numpy as np
 
 from flexel.base.shown import listed
-from flexel.declare.declarations import Declarations
-from flexel.declare.materials import Profile
 from flexel.mechanics.findings import Finding
-from flexel.structure.instances import Instance
-from flexel.structure.structure import Structure
+from flexel.model.instances import Instance
+from flexel.model.lowering import Lowering
+from flexel.model.profiles import SectionOfMaterial
+from flexel.model.structure import Structure
 
 SOFTEST, STIFFEST = 1e6, 2e12  # Young's modulus [Pa]: soft rubber, twice diamond
 LIGHTEST, HEAVIEST = 10.0, 3e4  # density [kg/m³]: foam, beyond osmium
-GRAVITY = 300.0  # [m/s²] beyond that on Jupiter and the sun; 9810 is mm/s²
-TURNS = 4 * np.pi  # an initial angle beyond two turns is likely one in degrees
+GRAVITY = 300.0  # [m/s²], above that of Jupiter and the sun; 9810 would be mm/s²
+TURNS = 4 * np.pi  # an initial angle beyond two turns is probably in degrees
 SLENDER = 1.0  # depth of a section over the size of the model
 FOLLOWING = 1.0  # length of a cable's element over the radius of a circle
-SHOWN = 2  # elements of one finding that are named
+SHOWN = 2  # elements named in one finding
 SHORT = 1e-6  # length of an element over the size of the model
 
 
-def suspects(model: Declarations, structure: Structure, size: float) -> list[Finding]:
-    """Suspicious units and elements.
+def suspects(model: Lowering, structure: Structure, size: float) -> list[Finding]:
+    """Find suspicious units and elements.
 
     Parameters
     ----------
-    model : Declarations
+    model : Lowering
     structure : Structure
         Its structure.
     size : float
@@ -40,7 +40,7 @@ def suspects(model: Declarations, structure: Structure, size: float) -> list[Fin
     """
     found: list[Suspicion] = []
     for instance in structure.instances:
-        if isinstance(instance.profile, Profile):
+        if isinstance(instance.profile, SectionOfMaterial):
             found += _profile(instance, instance.profile, size)
         found += _short(model, instance, size)
     found += _idle(model)
@@ -49,7 +49,7 @@ def suspects(model: Declarations, structure: Structure, size: float) -> list[Fin
 
 @dataclass(frozen=True)
 class Suspicion:
-    """What is suspicious about one element or node, and how it is said of several that share it."""
+    """A suspicion about one element or node, and its wording for several that share it."""
 
     subject: str
     kind: str
@@ -59,7 +59,7 @@ class Suspicion:
 
 
 def _grouped(found: list[Suspicion]) -> Iterator[Finding]:
-    """One finding of all elements or nodes of a kind that share a text."""
+    """Combine all elements or nodes of a kind that share a text in one finding."""
     groups: dict[tuple[str, str, str], list[Suspicion]] = {}
     for one in found:
         groups.setdefault((one.subject, one.kind, one.text), []).append(one)
@@ -73,22 +73,22 @@ def _units(message: str) -> Finding:
     return Finding("warning", "units", message)
 
 
-def _gravity(model: Declarations) -> Iterator[Finding]:
+def _gravity(model: Lowering) -> Iterator[Finding]:
     g = float(np.linalg.norm(model.gravity))
     if g > GRAVITY:
         yield _units(f"gravity of {g:.4g} m/s² looks like mm/s²; lengths are in metres")
 
 
-def _angles(model: Declarations, structure: Structure) -> Iterator[Finding]:
+def _angles(model: Lowering, structure: Structure) -> Iterator[Finding]:
     units = dict(zip(structure.names, structure.units, strict=True))
-    for name, value in model._values.items():
+    for name, value in model.values.items():
         if units.get(name) == "rad" and abs(value) > TURNS:
             yield _units(
                 f"initial value {value:.4g} rad of '{name}' looks like degrees; angles are in radians"
             )
 
 
-def _profile(beam: Instance, profile: Profile, size: float) -> Iterator[Suspicion]:
+def _profile(beam: Instance, profile: SectionOfMaterial, size: float) -> Iterator[Suspicion]:
     E, rho = profile.material.E, profile.material.rho
     if not SOFTEST <= E <= STIFFEST:
         text = f": Young's modulus E = {E:.4g} Pa looks like another unit; steel has 210e9 Pa"
@@ -106,13 +106,15 @@ def _profile(beam: Instance, profile: Profile, size: float) -> Iterator[Suspicio
         yield Suspicion("units", "beam", beam.name, text)
 
 
-def _length(model: Declarations, instance: Instance) -> float | None:
-    """Distance between the ends of an element between two points, as drawn."""
-    ends = [model.nodes[z].x0 for z in instance.nodes if model.nodes[z].kind in ("point", "planar_point")]
+def _length(model: Lowering, instance: Instance) -> float | None:
+    """Return the distance between the ends of an element between two points, as drawn."""
+    ends = [
+        model.nodes[node].x0 for node in instance.nodes if model.nodes[node].kind in ("point", "planar_point")
+    ]
     return float(np.linalg.norm(ends[1] - ends[0])) if len(ends) == 2 else None
 
 
-def _short(model: Declarations, instance: Instance, size: float) -> Iterator[Suspicion]:
+def _short(model: Lowering, instance: Instance, size: float) -> Iterator[Suspicion]:
     length = _length(model, instance)
     if length is not None and length < SHORT * size and instance.spec.family in ("beam", "truss"):
         text = f": only {length:.3g} m long in a model of {size:.3g} m; join the ends in one point"
@@ -120,7 +122,7 @@ def _short(model: Declarations, instance: Instance, size: float) -> Iterator[Sus
 
 
 def _coarse(structure: Structure) -> Iterator[Finding]:
-    """Cables whose elements are longer than the radius of a circle that they may touch, one finding for each circle."""
+    """Find cables whose elements are longer than the radius of a circle they may touch, one finding per circle."""
     longest: dict[str, tuple[float, float, str]] = {}
     for contact in structure.instances:
         if contact.spec.family == "contact" and {"l0", "radius"} <= contact.parameters.keys():
@@ -137,11 +139,11 @@ def _coarse(structure: Structure) -> Iterator[Finding]:
         )
 
 
-def _idle(model: Declarations) -> Iterator[Suspicion]:
+def _idle(model: Lowering) -> Iterator[Suspicion]:
     used = {name for instance in model.instances.values() for name in instance.nodes}
     named = [name for instance in model.instances.values() for name in instance.terms or ()]
     measured = [name for controller in model.controllers for name in controller.inputs]
-    used |= {name.partition(".")[0] for name in (*named, *model._motions, *measured)}
+    used |= {name.partition(".")[0] for name in (*named, *model.motions, *measured)}
     for node in model.nodes.values():
         if node.name not in used and not np.all(node.fixed):
             yield Suspicion(

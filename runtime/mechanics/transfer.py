@@ -1,4 +1,4 @@
-"""Transfer functions: derivatives of all coordinates, rates and accelerations by the degrees of freedom."""
+"""Geometric transfer functions: derivatives of coordinates, rates and accelerations by the degrees of freedom."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from flexel.base.arrays import Array
 
 
 @dataclass(frozen=True)
-class Transfer:
-    """Transfer functions at a state, for the degrees of freedom and the prescribed motions u together.
+class GeometricTransfer:
+    """Geometric transfer functions at a state, for the degrees of freedom and the prescribed motions u together.
 
     Attributes
     ----------
     G, N, A_q : ndarray (nf, nq + nu)
-        Derivatives of x, v, a with respect to (q, u) at fixed rates of the rest.
+        Derivatives of x, v, a with respect to (q, u) at fixed rates of the others.
     H, A_v : ndarray (nf, nd + nu)
         Derivatives of v and a with respect to (q_d', u'); H is also that of a to (q_d'', u'').
     """

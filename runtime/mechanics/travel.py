@@ -1,6 +1,6 @@
-"""From one position to a distant one: degrees of freedom change together, in steps that stay on the branch.
+"""Travels from one position to a distant one: degrees of freedom change together, in steps that stay on the branch.
 
-Each step is predicted along the tangent, which is exact where nothing is curved, and corrected by Newton's method.  It
+Each step is predicted along the tangent, which is exact without curvature, and corrected by Newton's method.  It
 is accepted if the correction is small compared with the step; otherwise it is halved.
 """
 
@@ -12,26 +12,26 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import ConstraintError, PositionError
-from flexel.engine.choice import Choice
+from flexel.engine.coordinate_work import CoordinateWork
 from flexel.generated._kernels import lib
 from flexel.mechanics.kinematics import Kinematics
-from flexel.structure.moment import Moment
+from flexel.model.snapshot import Snapshot
 
 CURVED = 0.3  # correction of a step, relative to the step, above which it is halved
-STILL = 1e-6  # correction in natural scales that is always allowed
-SHORTEST = 1e-7  # step, relative to the way
+STILL = 1e-6  # correction in natural scales that is always accepted
+SHORTEST = 1e-7  # shortest step, relative to the whole way
 
 
-def travelled(kinematics: Kinematics, near: Moment, t: float, q: Array) -> Moment | None:
-    """The position at time t with degrees of freedom q (nq,), led to from a position nearby; None if it is not reached.
+def travelled(kinematics: Kinematics, start: Snapshot, t: float, q: Array) -> Snapshot | None:
+    """Find the position at time t with degrees of freedom q (nq,) from a nearby position; None if it is not reached.
 
     Its rates are zero.
     """
-    here, done, step = near.still(near.t), 0.0, 1.0
-    begin = kinematics.values(near.e, near.x)[kinematics.roles.dofs]
+    here, done, step = start.still(start.t), 0.0, 1.0
+    begin = kinematics.values(start.e, start.x)[kinematics.roles.dofs]
     while done < 1.0:
         share = min(done + step, 1.0)
-        there = _stepped(kinematics, here, near.t + share * (t - near.t), begin + share * (q - begin))
+        there = _stepped(kinematics, here, start.t + share * (t - start.t), begin + share * (q - begin))
         if there is None:
             step /= 2
             if step < SHORTEST:
@@ -41,15 +41,15 @@ def travelled(kinematics: Kinematics, near: Moment, t: float, q: Array) -> Momen
     return here
 
 
-def _stepped(kinematics: Kinematics, here: Moment, t: float, q: Array) -> Moment | None:
-    """One step; None if it is not found, or may be on another branch."""
+def _stepped(kinematics: Kinematics, here: Snapshot, t: float, q: Array) -> Snapshot | None:
+    """Take one step; return None if no position is found, or it may be on another branch."""
     weight = kinematics.lists.step_weight
     try:
         change = _tangent(kinematics, here, t, q)
         x = here.x.copy()
         x[: change.size] += change
-        near = here.e + _rates(kinematics, here, change)
-        choice = kinematics.locate(t, q, x, near)
+        e = here.e + _rates(kinematics, here, change)
+        choice = kinematics.locate(t, q, x, e)
     except (PositionError, ConstraintError):
         return None
     work = choice.work
@@ -59,11 +59,11 @@ def _stepped(kinematics: Kinematics, here: Moment, t: float, q: Array) -> Moment
     return replace(here, t=t, x=work.x.copy(), e=work.e.copy())
 
 
-def _tangent(kinematics: Kinematics, here: Moment, t: float, q: Array) -> Array:
-    """Change (nf,) of the free coordinates along the tangent, for given degrees of freedom and prescribed values."""
-    choice: Choice = kinematics.given(t)
+def _tangent(kinematics: Kinematics, here: Snapshot, t: float, q: Array) -> Array:
+    """Return the change (nf,) of the free coordinates along the tangent, for given degrees of freedom and motions."""
+    choice: CoordinateWork = kinematics.given(t)
     choice.reset()
-    choice.work.x[:], choice.work.near[:] = here.x, here.e
+    choice.work.x[:], choice.work.unwrap_from[:] = here.x, here.e
     choice.work.position()
     kinematics.check(choice.factorize(), t)
     wanted = kinematics.target(kinematics.roles.motion(t), q)
@@ -74,8 +74,8 @@ def _tangent(kinematics: Kinematics, here: Moment, t: float, q: Array) -> Array:
     return change
 
 
-def _rates(kinematics: Kinematics, here: Moment, change: Array) -> Array:
-    """Change (m,) of the deformations, to first order."""
+def _rates(kinematics: Kinematics, here: Snapshot, change: Array) -> Array:
+    """Return the change (m,) of the deformations, to first order."""
     whole = np.zeros(here.x.size)
     whole[: change.size] = change
-    return kinematics.choice.work.push(whole)[: here.e.size]
+    return kinematics.choice.work.jvp(whole)[: here.e.size]

@@ -1,23 +1,19 @@
-"""Elements whose ends are turned from one another by nearly half a turn, where their rotation vector jumps."""
+"""Warns of elements with nearly half a turn between their ends, at which their rotation vector jumps."""
 
 from __future__ import annotations
-
-import warnings
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from flexel.base.arrays import Array
-from flexel.base.callers import outside
-from flexel.base.errors import RangeWarning
-from flexel.structure.structure import Structure
+from flexel.model.structure import Structure
 
 FAR = 150.0  # angle within one element [°]
 AXES = ("turn_x", "turn_y", "turn_z")
 
 
-def warn_turned(structure: Structure, times: ArrayLike, e: Array, analysis: str) -> None:
-    """Warn, at the caller of an analysis, of elements in logarithmic rotations that are turned by more than 150°.
+def turned(structure: Structure, times: ArrayLike, e: Array) -> list[str]:
+    """Describe the element in logarithmic rotations that is turned most, if by more than 150°.
 
     Parameters
     ----------
@@ -25,25 +21,21 @@ def warn_turned(structure: Structure, times: ArrayLike, e: Array, analysis: str)
     times : array_like (states,)
     e : ndarray (states, m)
         Their deformations.
-    analysis : str
-        For the message.
     """
     names, turns = _turns(structure, e)
     if not names or np.max(turns) <= FAR:
-        return
+        return []
     when, which = np.unravel_index(int(np.argmax(turns)), turns.shape)
     angle = float(turns[when, which])
-    warnings.warn(
-        f"{analysis}: the ends of '{names[which]}' are turned by {angle:.0f}° from one another at t = "
+    return [
+        f"the ends of '{names[which]}' are turned by {angle:.0f}° from one another at t = "
         f"{np.asarray(times)[when]:g} s; this may be {360 - angle:.0f}° the other way, since only angles below 180° "
-        "are known within one element: two elements in place of each would do",
-        RangeWarning,
-        stacklevel=outside(),
-    )
+        "are known within one element: two elements in place of each would do"
+    ]
 
 
 def _turns(structure: Structure, e: Array) -> tuple[list[str], Array]:
-    """Names of the elements in logarithmic rotations, and the angles (states, elements) between their ends [°]."""
+    """Return names of elements in logarithmic rotations, and the angles (states, elements) between their ends [°]."""
     names, angles, first = [], [], 0
     for instance in structure.instances:
         kinds = np.array([deformation.kind for deformation in instance.spec.deformations])

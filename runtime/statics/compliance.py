@@ -15,16 +15,16 @@ from flexel.base.arguments import flag, vector
 from flexel.base.arguments import names as checked_names
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError, ModelError
-from flexel.base.quaternions import matrix
-from flexel.base.shown import Table
-from flexel.mechanics.core import Core
-from flexel.mechanics.stress import rotation_rows
+from flexel.base.quaternions import matrix, rotation_rows
+from flexel.base.shown import PrintedTable
+from flexel.model.state import State, own_state
 from flexel.statics.equilibrium import Rest
-from flexel.structure.state import State, own_state
+from flexel.system import CoreSystem
 
 DIRECTIONS = ("x", "y", "z", "turn x", "turn y", "turn z")
 PLANAR_DIRECTIONS = ("x", "y", "turn")
-RIGID = 1e-14  # relative to the largest compliance, in lengths of the model: lower ones are rigid
+# Compliance, relative to the largest, in lengths of the model, below which a motion counts as rigid.
+RIGID_TOLERANCE = 1e-14
 
 
 @dataclass(frozen=True)
@@ -45,12 +45,12 @@ class Compliance:
     matrix: Array
     rotation: Array
 
-    def _table(self) -> Table:
+    def _table(self) -> PrintedTable:
         rows = zip(self.directions, self.matrix, strict=True)
-        return Table(
+        return PrintedTable(
             "compliance in global axes [m/N, rad/N; m/(N m), rad/(N m)]",
             ("", *self.directions),
-            [(name, *(f"{z:.5g}" for z in row)) for name, row in rows],
+            [(name, *(f"{value:.5g}" for value in row)) for name, row in rows],
         )
 
     def __repr__(self) -> str:
@@ -65,13 +65,13 @@ class Compliance:
         return np.asarray(self.rotation.T @ self.matrix @ self.rotation)
 
     def stiffness(self, body_axes: bool = False) -> dict[str, float]:
-        """Stiffness in each direction, all others free to follow: 1 / C_ii; infinite for rigid directions."""
+        """Return the stiffness in each direction, with all others free: 1 / C_ii; infinite for rigid directions."""
         C = self.in_body if flag(body_axes, "compliance", "body_axes") else self.matrix
         with np.errstate(divide="ignore"):
             return dict(zip(self.directions, (1 / np.diag(C)).tolist(), strict=True))
 
     def stiffness_matrix(self, body_axes: bool = False) -> Array:
-        """Inverse of the compliance: forces when one direction moves and all others are held.
+        """Invert the compliance: forces when one direction moves and all others are held.
 
         Raises
         ------
@@ -81,14 +81,14 @@ class Compliance:
         C = self.in_body if flag(body_axes, "compliance", "body_axes") else self.matrix
         scale = np.sqrt(np.abs(np.diag(C)))
         if not np.all(scale):
-            rigid = [d for d, z in zip(self.directions, scale, strict=True) if not z]
+            rigid = [d for d, size in zip(self.directions, scale, strict=True) if not size]
             raise DynamicsError(
                 f"no stiffness matrix: {', '.join(rigid)} cannot move; use stiffness() instead"
             )
         w, V = np.linalg.eigh(C / np.outer(scale, scale))
         if abs(w).min() < 1e-12 * abs(w).max():
             motion = V[:, int(np.argmin(abs(w)))]
-            rigid = [d for d, z in zip(self.directions, motion, strict=True) if abs(z) > 0.1]
+            rigid = [d for d, share in zip(self.directions, motion, strict=True) if abs(share) > 0.1]
             raise DynamicsError(
                 f"no stiffness matrix: a motion in {', '.join(rigid)} is not possible; use stiffness() instead"
             )
@@ -96,7 +96,7 @@ class Compliance:
 
 
 def compliance(
-    system: Core,
+    system: CoreSystem,
     point: str,
     frame: str,
     state: State,
@@ -104,7 +104,7 @@ def compliance(
     offset: Sequence[float] | Array | None,
     hold: Sequence[str],
 ) -> Compliance:
-    """Compliance of the body that a point and a frame belong to; see `System.compliance`.
+    """Compute the compliance of the body that a point and a frame belong to; see `System.compliance`.
 
     Parameters
     ----------
@@ -124,7 +124,7 @@ def compliance(
             raise ModelError(
                 f"compliance: node '{name}' is a {s.node(name).kind}; give a {kinds[0]} node here"
             )
-    held = np.array([s.find(z, "compliance") for z in checked_names(hold, "compliance")], dtype=np.intp)
+    held = np.array([s.find(name, "compliance") for name in checked_names(hold, "compliance")], dtype=np.intp)
     if np.any((s.m <= held) & (held < s.m + s.k)):
         raise ModelError("compliance: a slip cannot be held; name coordinates or deformations")
     problem = Rest(system, state, held)
@@ -136,13 +136,13 @@ def compliance(
     size = np.ones(len(moved))
     size[: len(moved) - (3 if len(moved) == 6 else 1)] = problem.x_scale.max(initial=0.0)
     shares = np.abs(moved) / np.outer(size, size)
-    moved[shares < RIGID * shares.max(initial=0.0)] = 0.0
+    moved[shares < RIGID_TOLERANCE * shares.max(initial=0.0)] = 0.0
     directions = DIRECTIONS if B.shape[0] == 6 else PLANAR_DIRECTIONS
     return Compliance(directions, moved, turn)
 
 
 def _rows(state: State, point: str, frame: str, offset: object) -> tuple[Array, Array]:
-    """Displacements and rotations of the body for changes of x (6, n) or (3, n), and its axes."""
+    """Return the displacements and rotations of the body for changes of x (6, n) or (3, n), and its axes."""
     s = state.structure
     at, of = s.places(point), s.places(frame)
     if (s.node(point).kind == "point") != (s.node(frame).kind == "frame"):
@@ -150,8 +150,8 @@ def _rows(state: State, point: str, frame: str, offset: object) -> tuple[Array, 
     if at.size == 2:
         B = np.zeros((3, s.n))
         B[[0, 1], at], B[2, of[0]] = 1.0, 1.0
-        c, z = np.cos(state.x[of[0]]), np.sin(state.x[of[0]])
-        turn = np.array([[c, -z, 0.0], [z, c, 0.0], [0.0, 0.0, 1.0]])
+        cosine, sine = np.cos(state.x[of[0]]), np.sin(state.x[of[0]])
+        turn = np.array([[cosine, -sine, 0.0], [sine, cosine, 0.0], [0.0, 0.0, 1.0]])
         if offset is not None:
             d = turn[:2, :2] @ vector(offset, "compliance", "offset", 2)
             B[:2] += np.outer([-d[1], d[0]], B[2])

@@ -1,4 +1,4 @@
-"""Eigenvalues of the tangent on the admissible motions: of vibrations, and of buckling.
+"""Solves eigenvalue problems of the tangent on the admissible motions, for vibrations and for buckling.
 
 A motion is admissible if it violates no condition and no wheel slips, so no choice of independent coordinates is
 needed.  Forces without a potential, such as follower forces, make the stiffness unsymmetric.
@@ -17,16 +17,19 @@ from scipy.sparse.linalg import LinearOperator, eigs, eigsh, splu
 
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError
-from flexel.mechanics.diagnose import null_space
+from flexel.base.null_space import null_space
 from flexel.statics.equilibrium import Equations, Rest
 
 _eigsh: Any = eigsh
 _eigs: Any = eigs
 _eig: Any = eig
-SMALL = 400  # free coordinates up to which all modes are found at once, with dense matrices
-MASSLESS = 1e-13  # mass, relative to the largest, that counts as none
-SKEW = 1e-7  # coupling of two modes by the skew part, relative to their stiffnesses, that matters
-ROUNDING = 1e-14  # the same relative to the largest stiffness: rounding of the sums in which it cancels
+MAX_DENSE_SIZE = 400  # free coordinates up to which all modes are computed at once, with dense matrices
+MASSLESS_TOLERANCE = 1e-13  # mass, relative to the largest, that counts as zero
+# Coupling of two modes by the skew part, relative to their stiffnesses, that is taken into account.
+SKEW_TOLERANCE = 1e-7
+ROUNDING = (
+    1e-14  # the same relative to the largest stiffness: rounding errors of the sums in which it cancels
+)
 
 
 @dataclass(frozen=True)
@@ -49,7 +52,7 @@ class Pencil:
 
     @classmethod
     def of(cls, problem: Rest, q: Equations, M: Any) -> Pencil:
-        """The stiffness at evaluated equations, and another matrix."""
+        """Set up the problem with the stiffness of the evaluated equations, and another matrix."""
         nf, A = problem.structure.nf, q.matrix.sparse.tocsr()
         return cls(A[:nf, :nf], M, A[:nf, nf:].T.tocsr(), q.matrix.names_of)
 
@@ -59,14 +62,14 @@ class Pencil:
         return int(self.K.shape[0])
 
     def lowest(self, count: int, shift: float) -> tuple[Array, Array]:
-        """Lowest eigenvalues (…) and vectors (nf, …), ascending; complex ones where the stiffness is not symmetric.
+        """Compute the lowest eigenvalues (…) and vectors (nf, …), ascending; complex if the stiffness is not symmetric.
 
         Parameters
         ----------
         shift : float
             Below all eigenvalues, but near 0: for large models, of which `count` modes are found.
         """
-        if self.size <= SMALL:
+        if self.size <= MAX_DENSE_SIZE:
             Z = null_space(self.C.toarray(), self.size)[0]
             values, vectors = self._dense(Z.T @ self.K @ Z, Z.T @ (self.M @ Z), Z)
             return values, Z @ vectors
@@ -86,15 +89,15 @@ class Pencil:
         return np.asarray(np.einsum("ij,ij->j", V, self.M @ V))
 
     def _dense(self, K: Array, M: Array, Z: Array) -> tuple[Array, Array]:
-        """Finite eigenvalues, ascending; massless directions are condensed statically.
+        """Compute the finite eigenvalues, ascending; massless directions are condensed statically.
 
         A direction without mass and stiffness is an error, which names its coordinates.
         """
         M = (M + M.T) / 2
         m, U = np.linalg.eigh(M)
-        massless = m < MASSLESS * max(float(m.max(initial=0.0)), 1e-300)
+        massless = m < MASSLESS_TOLERANCE * max(float(m.max(initial=0.0)), 1e-300)
         A, B = U[:, ~massless], U[:, massless]
-        if not A.size:  # no moving part has mass, so nothing vibrates
+        if not A.size:  # no moving part has mass, so there is no vibration
             return np.zeros(0), np.zeros((m.size, 0))
         symmetric = (K + K.T) / 2
         T = A + B @ self._condensed(symmetric, A, B, Z)
@@ -109,7 +112,7 @@ class Pencil:
         return values[order], T @ (root[:, None] * V[:, order])
 
     def _condensed(self, K: Array, A: Array, B: Array, Z: Array) -> Array:
-        """How the massless directions B follow those with mass, A."""
+        """Return how the massless directions B follow those with mass, A."""
         inner = B.T @ K @ B
         try:
             return np.asarray(-np.linalg.solve(inner, B.T @ K @ A))
@@ -121,14 +124,14 @@ class Pencil:
             ) from error
 
     def _large(self, solver: Any, K: Any, count: int, shift: float) -> tuple[Array, Array]:
-        """The eigenvalues nearest to a shift, and vectors (nf + nm, …), by Lanczos or Arnoldi."""
+        """Compute the eigenvalues nearest to a shift, and vectors (nf + nm, …), by Lanczos or Arnoldi."""
         A, B, start = self.bordered(K)
         inverse = LinearOperator(A.shape, matvec=splu(csc_array(A - shift * B)).solve, dtype=np.float64)
         values, vectors = solver(A, count, M=B, sigma=shift, OPinv=inverse, v0=inverse @ (B @ start))
         return values, vectors
 
     def bordered(self, K: Any) -> tuple[Any, Any, Array]:
-        """The constrained stiffness, a matrix of the same size that contains M, and a starting vector."""
+        """Return the constrained stiffness, a matrix of the same size that contains M, and a starting vector."""
         border = self.C.shape[0]
         A = block_array([[K, self.C.T], [self.C, coo_array((border, border))]], format="csc")
         B = block_diag([self.M, coo_array((border, border))], format="csc")
@@ -145,4 +148,4 @@ def skew(coupling: Array, values: Array, mass: Array) -> bool:
     """
     stiffness = np.abs(values * mass)
     pairs = np.sqrt(np.outer(stiffness, stiffness))
-    return bool(np.any(np.abs(coupling) > SKEW * pairs + ROUNDING * float(pairs.max(initial=0.0))))
+    return bool(np.any(np.abs(coupling) > SKEW_TOLERANCE * pairs + ROUNDING * float(pairs.max(initial=0.0))))

@@ -13,13 +13,13 @@ import numpy as np
 from scipy.sparse.linalg import lsmr
 
 from flexel.base.arrays import Array, Index
-from flexel.mechanics.balance import Balance, Saddle
-from flexel.mechanics.core import Core
+from flexel.integration.balance import Balance, Saddle
 from flexel.mechanics.saddle import Matrix, SaddlePattern
-from flexel.structure.state import State, own_state
+from flexel.model.state import State, own_state
+from flexel.system import CoreSystem
 
-CONVERGED, STALLED = 1e-12, 1e-9
-STEP = 0.4  # largest change of a coordinate, in its natural scale, in one Newton step
+TOLERANCE, STALLED_TOLERANCE = 1e-12, 1e-9
+MAX_STEP = 0.4  # largest change of a coordinate, in its natural scale, in one Newton step
 
 
 class Rest(Saddle):
@@ -28,7 +28,7 @@ class Rest(Saddle):
     Additional held coordinates or deformations are given as quantities.
     """
 
-    def __init__(self, system: Core, start: State, held: Index | None = None) -> None:
+    def __init__(self, system: CoreSystem, start: State, held: Index | None = None) -> None:
         own_state(system.structure, start, "equilibrium")
         more = np.zeros(0, dtype=np.intp) if held is None else held
         super().__init__(system, more)
@@ -39,11 +39,11 @@ class Rest(Saddle):
 
     @cached_property
     def pattern(self) -> SaddlePattern:
-        """Pattern of the tangent."""
+        """The pattern of the tangent."""
         return SaddlePattern(self.work, self.force_rows, self.hold_rows)
 
     def holding_forces(self, t: float, start: State) -> Array:
-        """Multipliers that best balance the given forces at a configuration, by least squares.
+        """Return the multipliers that best balance the given forces at a configuration, by least squares.
 
         They contain the geometric stiffness of a mechanism (a pendulum's gravity), without which the first tangent
         would be singular.
@@ -55,9 +55,9 @@ class Rest(Saddle):
         C = self.work.tables.J.matrix(self.work.J)[self.force_rows][:, : self.structure.nf]
         return np.asarray(lsmr(C.T, -b.r, atol=1e-12, btol=1e-12, conlim=1e10)[0])
 
-    def equations(self, t: float, x: Array, mu: Array, near: Array) -> Equations:
-        """Residual (r, gap) and its derivative by (x, mu) at time t."""
-        b = self.balance(t, x, self.rest, self.rest, mu, near)
+    def equations(self, t: float, x: Array, mu: Array, unwrap_from: Array) -> Equations:
+        """Evaluate the residual (r, gap) and its derivative by (x, mu) at time t."""
+        b = self.balance(t, x, self.rest, self.rest, mu, unwrap_from)
         self.stiffness()
         values = self.system.kinematics.values(b.e, x)
         gap = np.concatenate([b.gap, values[self.still] - self.held])
@@ -65,22 +65,22 @@ class Rest(Saddle):
         return Equations(b, np.concatenate([b.r, gap]), self.pattern.matrix(self.work), largest)
 
     def size(self, q: Equations, residual: Array) -> float:
-        """Size of a residual in natural scales."""
+        """Return the size of a residual in natural scales."""
         nf = self.structure.nf
         gap = residual[nf:] / self.scales[self.hold_rows]
         return self.error(residual[:nf], gap, q.stiffness, q.balance.scale)
 
     def extent(self, step: Array) -> float:
-        """Largest change of a coordinate, in its natural scale, in a step of (x, mu)."""
+        """Return the largest change of a coordinate, in its natural scale, in a step of (x, mu)."""
         return float(np.abs(step[: self.structure.nf] / self.x_scale).max(initial=0.0))
 
     def when(self, t: float) -> str:
-        """The time in words, where loads or prescribed motions depend on it; empty otherwise."""
+        """Return the time in words if loads or prescribed motions depend on it; empty otherwise."""
         depends = len(self.system.loads.functions) or len(self.roles.motions)
         return f" at t = {t:g} s" if depends else ""
 
     def rate(self, q: Equations) -> Array:
-        """Derivative of the residual with respect to time at fixed x and mu."""
+        """Return the derivative of the residual with respect to time at fixed x and mu."""
         return np.concatenate([*self.load_rate(q.balance), np.zeros(self.still.size)])
 
 

@@ -1,24 +1,24 @@
-"""Growth of motions about an equilibrium, where forces have no potential or wheels roll."""
+"""Detects growing motions about an equilibrium if forces have no potential or wheels roll."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from flexel.mechanics.core import Core
 from flexel.mechanics.inertia import InertiaError
 from flexel.mechanics.rigid import spectrum
-from flexel.structure.state import State
+from flexel.model.state import State
+from flexel.system import CoreSystem
 
 GROWTH = 1e-6  # real part of an eigenvalue, relative to the largest one, that counts as growth
-LARGEST = 400  # most degrees of freedom for which all eigenvalues are computed
+MAX_DOFS = 400  # most degrees of freedom for which all eigenvalues are computed
 
 
-def growing_motions(system: Core, state: State) -> int:
-    """Number of eigenvalues of the linearized equations whose real parts are positive.
+def growing_motions(system: CoreSystem, state: State) -> int:
+    """Count the eigenvalues of the linearized equations with positive real parts.
 
-    None are counted if a degree of freedom has no inertia, or in very large models.
+    Returns zero if a degree of freedom has no inertia, or for very large models.
     """
-    if system.roles.nq > LARGEST:
+    if system.roles.nq > MAX_DOFS:
         return 0
     try:
         lin = system._linearization(state)

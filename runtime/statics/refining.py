@@ -1,14 +1,14 @@
-"""Frequencies to the last digits where stiffnesses differ much, as those of a leaf spring in bending and in tension.
+"""Refines frequencies to the last digits if stiffnesses differ greatly, as for a leaf spring in bending and tension.
 
-In K = G + L' S J the entries of soft motions are sums in which those of the stiff ones cancel.  Here the stresses
-s = S J v remain unknowns, like the multipliers m of the constraints, so nothing cancels:
+In K = G + L' S J, the entries of soft motions are sums in which the contributions of stiff motions cancel.  Here the
+stresses s = S J v remain unknowns, like the multipliers m of the constraints, so nothing cancels:
 
     [G - σ M  C'  L'] [v]   [M v0]
     [C        0   0 ] [m] = [0   ]
     [S J      0   -1] [s]   [0   ]
 
-Inverse iteration with this matrix gives a vector v, and that of the transposed one u.  The eigenvalue is their quotient
-(u' G v + (L u)' S (J v)) / (u' M v), whose error is of second order in those of the vectors.
+Inverse iteration with this matrix gives a vector v, and with its transpose a vector u.  The eigenvalue is the quotient
+(u' G v + (L u)' S (J v)) / (u' M v), whose error is of second order in the errors of the vectors.
 Source: Parlett (1980), "The symmetric eigenvalue problem", chapter 4.
 """
 
@@ -25,15 +25,15 @@ from flexel.base.arrays import Array
 from flexel.statics.equilibrium import Equations, Rest
 
 splu: Any = untyped_splu
-NEAR = 1e-4  # distance of the shift from an eigenvalue, relative to it
-TURNS = 2  # steps of inverse iteration
-CORRECTION = 1e-9  # largest change of a coordinate, in natural scales, that removes rounding only
-TRUSTED = 1e-3  # largest relative change of an eigenvalue that is a correction of its last digits
+SHIFT_DISTANCE = 1e-4  # distance of the shift from an eigenvalue, relative to it
+ITERATIONS = 2  # steps of inverse iteration
+CORRECTION = 1e-9  # largest change of a coordinate, in natural scales, that removes only rounding errors
+MAX_CHANGE = 1e-3  # largest relative change of an eigenvalue that corrects its last digits only
 
 
 @dataclass(frozen=True)
-class Parts:
-    """The stiffness K = G + L' S J as parts in which nothing is cancelled.
+class StiffnessParts:
+    """The stiffness K = G + L' S J in parts without cancellation.
 
     Attributes
     ----------
@@ -56,7 +56,7 @@ class Parts:
     M: Any
 
     def matrix(self, shift: float) -> csc_array:
-        """The matrix above, the rows of its laws divided by their largest derivatives."""
+        """Assemble the matrix above, with the rows of its laws divided by their largest derivatives."""
         scale = diags_array(1 / abs(self.S).max(axis=1).toarray().ravel())
         rows = [
             [self.G - shift * self.M, self.C.T, self.L.T],
@@ -66,30 +66,30 @@ class Parts:
         return csc_array(block_array(rows))
 
     def quotient(self, left: Array, right: Array) -> float:
-        """The two-sided Rayleigh quotient of two admissible motions (nf,)."""
+        """Return the two-sided Rayleigh quotient of two admissible motions (nf,)."""
         stiffness = left @ (self.G @ right) + (self.L @ left) @ (self.S @ (self.J @ right))
         return float(stiffness / (left @ (self.M @ right)))
 
     def refined(self, value: float, vector: Array) -> tuple[float, Array]:
-        """An eigenvalue and its vector (nf,), from approximations of them; these where there is nothing to gain.
+        """Refine an eigenvalue and its vector (nf,) from approximations; return these if nothing can be gained.
 
-        Without laws nothing is stiff.  A motion that nothing resists keeps its eigenvalue, which is rounding.
+        Without laws, nothing is stiff.  A motion without stiffness keeps its eigenvalue, which is a rounding error.
         """
         if not self.S.nnz:
             return value, vector
-        A = self.matrix(value * (1 - NEAR))
+        A = self.matrix(value * (1 - SHIFT_DISTANCE))
         factors = _factors(A)
         if factors is None:
             return value, vector
         left = right = vector
-        for _ in range(TURNS):
+        for _ in range(ITERATIONS):
             right = self._turned(A, factors, self.M @ right, "N")
             left = self._turned(A.T, factors, self.M.T @ left, "T")
         found = self.quotient(left, right)
-        return (found, right) if abs(found - value) <= TRUSTED * abs(value) else (value, vector)
+        return (found, right) if abs(found - value) <= MAX_CHANGE * abs(value) else (value, vector)
 
     def correction(self, residual: Array) -> Array | None:
-        """Change of coordinates, multipliers and stresses that removes a residual (nf + nm,); None if undetermined."""
+        """Solve for the change of all unknowns that removes a residual (nf + nm,); return None if undetermined."""
         A = self.matrix(0.0)
         factors = _factors(A)
         rhs = np.zeros(A.shape[0])
@@ -98,7 +98,7 @@ class Parts:
 
     @staticmethod
     def _turned(A: Any, factors: Any, forces: Array, way: str) -> Array:
-        """Motion (nf,) under forces (nf,), of size 1."""
+        """Return the motion (nf,) under forces (nf,), of size 1."""
         rhs = np.zeros(A.shape[0])
         rhs[: forces.size] = forces
         x = _solved(A, factors, rhs, way)[: forces.size]
@@ -106,23 +106,23 @@ class Parts:
 
 
 def _factors(A: csc_array) -> Any:
-    """LU factors; None if a matrix is singular."""
+    """Factorize a matrix; return None if it is singular."""
     try:
         return splu(A)
-    except RuntimeError:  # its only report of a singular matrix
+    except RuntimeError:  # the only sign of a singular matrix
         return None
 
 
 def _solved(A: Any, factors: Any, rhs: Array, way: str) -> Array:
-    """Solution, corrected once."""
+    """Solve, with one correction."""
     x = factors.solve(rhs, way)
     return np.asarray(x + factors.solve(rhs - A @ x, way))
 
 
-def parts(problem: Rest, q: Equations, M: Any) -> Parts:
-    """The parts of the stiffness at the last evaluation, whose laws the workspace loses.
+def parts(problem: Rest, q: Equations, M: Any) -> StiffnessParts:
+    """Return the parts of the stiffness at the last evaluation, whose laws are lost from the workspace.
 
-    The stresses of laws are those of equilibrium: coordinates are rounded, which strains stiff elements.
+    The stresses of laws are those of equilibrium: rounded coordinates would strain stiff elements.
 
     Parameters
     ----------
@@ -142,7 +142,7 @@ def parts(problem: Rest, q: Equations, M: Any) -> Parts:
         work.tangent(1.0, 0.0, 0.0, phi=False)
         return work.tables.T.pattern.matrix(problem.free)
 
-    found = Parts(by_stress(), J[problem.force_rows], J[acting], J[seen], S, M)
+    found = StiffnessParts(by_stress(), J[problem.force_rows], J[acting], J[seen], S, M)
     more = found.correction(q.residual) if S.nnz else None
     if more is None or problem.extent(more) > CORRECTION:
         return found

@@ -1,4 +1,4 @@
-"""Whether a state is one of rest and equilibrium, about which vibrations and buckling have a meaning."""
+"""Checks that a state is an equilibrium at rest, as vibrations and buckling require."""
 
 from __future__ import annotations
 
@@ -9,9 +9,9 @@ import numpy as np
 from flexel.base.arrays import Array
 from flexel.base.errors import UnsteadyWarning
 from flexel.base.units import force_unit, rate_unit
-from flexel.mechanics.balance import TINY_FORCE
+from flexel.integration.balance import TINY_FORCE
+from flexel.model.state import State
 from flexel.statics.equilibrium import Equations, Rest
-from flexel.structure.state import State
 
 UNBALANCED = (
     1e-6  # unbalanced force, relative to those that balance, above which a state is not in equilibrium
@@ -20,7 +20,8 @@ ROUNDING = 1e-12  # the same relative to the largest stiffness, over the natural
 MOVING = (
     1e-6  # rate, in natural scales and relative to the lowest frequency, above which a state is not at rest
 )
-FREE = 1e-5  # frequency, relative to the highest, that is one of a free motion but for rounding
+# Frequency, relative to the highest, that belongs to a free motion but for rounding errors.
+FREE_FREQUENCY = 1e-5
 
 
 def check_balance(owner: str, problem: Rest, q: Equations, depth: int = 4) -> None:
@@ -51,7 +52,7 @@ def check_rest(owner: str, problem: Rest, state: State, omega: Array, depth: int
     """
     s, first, size = problem.structure, problem.first, np.abs(omega)
     rates = np.abs(state.v[: s.nf]) / problem.x_scale
-    lowest = float(size[size >= FREE * size.max()].min()) if size.size else np.inf
+    lowest = float(size[size >= FREE_FREQUENCY * size.max()].min()) if size.size else np.inf
     if not np.any(rates > MOVING * lowest):
         return
     worst = int(np.argmax(rates))

@@ -1,8 +1,8 @@
-"""Whether an equilibrium is stable, and descent to a stable one where the tangent does not lead to one.
+"""Judges the stability of an equilibrium, and descends to a stable one if the tangent does not lead to it.
 
 Descent: Newton's step in the eigenvectors of the stiffness on the admissible motions, with the magnitude of each
-eigenvalue, so that the potential decreases along every eigenvector; each part is limited.  A pendulum drawn horizontal,
-which no stiffness resists, moves down until it hangs.
+eigenvalue, so that the potential decreases along every eigenvector; each part is limited.  A pendulum drawn
+horizontally, which no stiffness resists, moves down until it hangs.
 """
 
 from __future__ import annotations
@@ -16,20 +16,21 @@ from scipy.sparse import csc_array, diags_array
 from scipy.sparse.linalg import splu as untyped_splu
 
 from flexel.base.arrays import Array
-from flexel.mechanics.diagnose import null_space
+from flexel.base.null_space import null_space
 from flexel.mechanics.newton import newton
-from flexel.statics.equilibrium import CONVERGED, STALLED, STEP, Equations, Rest
+from flexel.statics.equilibrium import MAX_STEP, STALLED_TOLERANCE, TOLERANCE, Equations, Rest
 
 splu: Any = untyped_splu
-LARGEST = 1500  # most coordinates and multipliers for which stability is judged
-LARGEST_DESCENT = 600  # most of them for a descent, which finds all eigenvectors at every step
-NEUTRAL = 1e-11  # eigenvalue, relative to the largest entry of the stiffness, that counts as zero
-SYMMETRIC = 1e-7  # relative difference below which a tangent counts as symmetric
-STIFF = 100.0  # springs on the conditions, relative to the largest entry of the stiffness
-MOST_STEPS = 200
-STEEPER = 1e9  # stiffness, relative to that at the start of a descent, that indicates a singular element
-KICK = 0.05  # displacement from an unstable equilibrium, in natural scales
-KICKS = 10  # unstable equilibria that a descent may pass
+MAX_SIZE = 1500  # most coordinates and multipliers for which stability is judged
+MAX_DESCENT_SIZE = 600  # the same for a descent, which computes all eigenvectors at every step
+NEUTRAL_TOLERANCE = 1e-11  # eigenvalue, relative to the largest entry of the stiffness, that counts as zero
+SYMMETRY_TOLERANCE = 1e-7  # relative difference below which a tangent counts as symmetric
+SPRING_STIFFNESS = 100.0  # of springs on the conditions, relative to the largest entry of the stiffness
+MAX_STEPS = 200
+# Stiffness, relative to that at the start of a descent, that indicates a singular element.
+SINGULAR_STIFFNESS = 1e9
+KICK_SIZE = 0.05  # displacement from an unstable equilibrium, in natural scales
+MAX_KICKS = 10  # unstable equilibria that a descent may pass
 
 
 @dataclass(frozen=True)
@@ -52,17 +53,17 @@ class Tangent:
 
 
 def tangent(problem: Rest, q: Equations) -> Tangent:
-    """The tangent at evaluated equations."""
+    """Return the tangent of evaluated equations."""
     nf, A, scale = problem.structure.nf, q.matrix.sparse.toarray(), problem.x_scale
     K = scale[:, None] * A[:nf, :nf] * scale
     return Tangent((K + K.T) / 2, scale[:, None] * A[:nf, nf:], A[nf:, :nf] * scale)
 
 
 def unstable_motions(problem: Rest, q: Equations) -> int | None:
-    """Number of independent motions in which an equilibrium is unstable; None where it has no meaning.
+    """Count the independent motions in which an equilibrium is unstable; None if this has no meaning.
 
-    It is the number of negative eigenvalues of the tangent [K D'; D 0], less one for each condition.  It has no meaning
-    where forces have no potential (follower forces, controllers) or wheels roll; in very large models none are counted.
+    The count is the number of negative eigenvalues of the tangent [K D'; D 0], less one for each condition.  It has no
+    meaning if forces have no potential (follower forces, controllers) or wheels roll; very large models are not judged.
     """
     nf = problem.structure.nf
     scale = diags_array(problem.x_scale)
@@ -74,42 +75,42 @@ def unstable_motions(problem: Rest, q: Equations) -> int | None:
         return 0
     if not np.array_equal(problem.force_rows, problem.hold_rows):
         return None  # wheels roll
-    if q.matrix.pattern.size > LARGEST:
+    if q.matrix.pattern.size > MAX_SIZE:
         return 0
     here = tangent(problem, q)
     size, conditions = float(np.abs(here.K).max(initial=0.0)), len(here.D)
     if not size:
         return 0
     held = here.D * (size / np.linalg.norm(here.D, axis=1))[:, None]
-    raised = here.K + NEUTRAL * size * np.eye(len(here.K))
+    raised = here.K + NEUTRAL_TOLERANCE * size * np.eye(len(here.K))
     d = ldl(np.block([[raised, held.T], [held, np.zeros((conditions, conditions))]]))[1]
     return max(0, _negative(d) - conditions)
 
 
 def _has_potential(K: Any) -> bool:
     """Whether a stiffness is symmetric."""
-    return bool(K.nnz == 0 or abs(K - K.T).max() <= SYMMETRIC * abs(K).max())
+    return bool(K.nnz == 0 or abs(K - K.T).max() <= SYMMETRY_TOLERANCE * abs(K).max())
 
 
 def _certainly_stable(K: csc_array, D: csc_array) -> bool:
     """Whether a symmetric stiffness (nf, nf), with stiff springs on the conditions (nm, nf), is positive definite.
 
-    This is sufficient, and quick: the pivots of a sparse elimination without exchanges are positive.
+    This is sufficient, and fast: the pivots of a sparse elimination without exchanges are positive.
     """
     size = float(np.abs(K.data).max(initial=0.0))
     lengths = np.sqrt(np.asarray(D.multiply(D).sum(axis=1)).ravel())
-    D = diags_array(np.sqrt(STIFF * size) / np.maximum(lengths, 1e-300)) @ D
+    D = diags_array(np.sqrt(SPRING_STIFFNESS * size) / np.maximum(lengths, 1e-300)) @ D
     whole = csc_array((K + K.T) / 2 + D.T @ D)
     try:
         factors = splu(whole, "MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
-    except RuntimeError:  # its only report of a zero pivot
+    except RuntimeError:  # the only sign of a zero pivot
         return False
     exchanged = not np.array_equal(factors.perm_r, factors.perm_c)
     return not exchanged and bool(np.all(factors.U.diagonal() > 0))
 
 
 def _negative(d: Array) -> int:
-    """Number of negative eigenvalues of a symmetric matrix with blocks of one or two rows on its diagonal."""
+    """Count the negative eigenvalues of a symmetric matrix with diagonal blocks of one or two rows."""
     diagonal, off, below = d.diagonal(), d.diagonal(-1), np.zeros(len(d), dtype=bool)
     below[1:] = off != 0  # a block of two rows has one negative eigenvalue, by the choice of its pivots
     alone = ~below
@@ -118,7 +119,7 @@ def _negative(d: Array) -> int:
 
 
 @dataclass(frozen=True)
-class Place:
+class DescentPoint:
     """A point of a descent: coordinates, multipliers, nearby deformations, and the step that led to it.
 
     Attributes
@@ -133,68 +134,75 @@ class Place:
 
     x: Array
     mu: Array
-    near: Array
+    unwrap_from: Array
     reach: float
     step: Array
     slope: float
 
 
-def descend(problem: Rest, t: float, x: Array, mu: Array, near: Array) -> tuple[Equations, Array] | None:
-    """The equilibrium reached by descent from a point, and its multipliers; None if none is reached."""
-    if problem.structure.nf + mu.size > LARGEST_DESCENT or problem.roles.zero.size:
+def descend(
+    problem: Rest, t: float, x: Array, mu: Array, unwrap_from: Array
+) -> tuple[Equations, Array] | None:
+    """Descend from a point to an equilibrium; return it with its multipliers, or None if none is reached."""
+    if problem.structure.nf + mu.size > MAX_DESCENT_SIZE or problem.roles.zero.size:
         return None
     nf, scale = problem.structure.nf, problem.x_scale
 
-    def evaluate(z: Place) -> tuple[Equations, float]:
-        q = problem.equations(t, z.x, z.mu, z.near)
+    def evaluate(point: DescentPoint) -> tuple[Equations, float]:
+        q = problem.equations(t, point.x, point.mu, point.unwrap_from)
         return q, problem.size(q, q.residual)
 
-    def move(z: Place, q: Equations) -> Place:
+    def move(point: DescentPoint, q: Equations) -> DescentPoint:
         here, r = tangent(problem, q), scale * q.residual[:nf]
-        overshot = float(r @ z.step) > 0.5 * abs(z.slope) > 0
-        reach = 0.5 * z.reach if overshot else min(STEP, 1.5 * z.reach)
-        gap = np.linalg.lstsq(here.D, q.residual[nf:], rcond=1e-12)[0] if z.mu.size else np.zeros(nf)
+        overshot = float(r @ point.step) > 0.5 * abs(point.slope) > 0
+        reach = 0.5 * point.reach if overshot else min(MAX_STEP, 1.5 * point.reach)
+        gap = np.linalg.lstsq(here.D, q.residual[nf:], rcond=1e-12)[0] if point.mu.size else np.zeros(nf)
         step = _downhill(here, r, reach) - gap
-        step *= min(1.0, STEP / max(float(np.abs(step).max(initial=0.0)), 1e-300))
-        mu = z.mu - np.linalg.lstsq(here.C, r + here.K @ step, rcond=1e-12)[0] if z.mu.size else z.mu
-        x = z.x.copy()
+        step *= min(1.0, MAX_STEP / max(float(np.abs(step).max(initial=0.0)), 1e-300))
+        mu = (
+            point.mu - np.linalg.lstsq(here.C, r + here.K @ step, rcond=1e-12)[0]
+            if point.mu.size
+            else point.mu
+        )
+        x = point.x.copy()
         x[:nf] += scale * step
-        return Place(x, mu, q.balance.e, reach, step, float(r @ step))
+        return DescentPoint(x, mu, q.balance.e, reach, step, float(r @ step))
 
-    start = Place(x, mu, near, STEP, np.zeros(nf), 0.0)
+    start = DescentPoint(x, mu, unwrap_from, MAX_STEP, np.zeros(nf), 0.0)
     here = evaluate(start)[0]
     if not _has_potential(here.matrix.sparse.tocsc()[:nf, :nf]):
         return None  # no potential decreases along the descent
-    steepest = STEEPER * max(here.stiffness, here.balance.scale)
-    found = newton(start, evaluate, move, tolerance=CONVERGED, stalled=STALLED, most=MOST_STEPS)
-    # relative to such a stiffness every force is small: a cable without slope would seem to be in equilibrium
+    steepest = SINGULAR_STIFFNESS * max(here.stiffness, here.balance.scale)
+    found = newton(start, evaluate, move, tolerance=TOLERANCE, stalled=STALLED_TOLERANCE, most=MAX_STEPS)
+    # relative to such a stiffness, every force is small: a cable without slope would seem to be in equilibrium
     if not found.converged or found.equations.stiffness > steepest:
         return None
     return found.equations, found.point.mu
 
 
 def _downhill(here: Tangent, r: Array, reach: float) -> Array:
-    """Admissible step (nf,) of descent along every eigenvector, by `reach` at most."""
+    """Return an admissible step (nf,) of descent along every eigenvector, of length `reach` at most."""
     Z, _ = null_space(here.D, r.size)
     w, V = eigh(Z.T @ here.K @ Z)
     # no step in a direction without a force, however soft
     pull = V.T @ (Z.T @ r)
     least = max(
-        NEUTRAL * float(np.abs(here.K).max(initial=0.0)), NEUTRAL * float(np.abs(pull).max(initial=0.0))
+        NEUTRAL_TOLERANCE * float(np.abs(here.K).max(initial=0.0)),
+        NEUTRAL_TOLERANCE * float(np.abs(pull).max(initial=0.0)),
     )
     size = np.maximum(np.abs(w), least + 1e-300)
     return np.asarray(-Z @ (V @ np.clip(pull / size, -reach, reach)))
 
 
 def settle(problem: Rest, t: float, q: Equations, mu: Array) -> tuple[Equations, Array] | None:
-    """A stable equilibrium reached by descent from an unstable one, and its multipliers; None if none is reached."""
+    """Descend from an unstable equilibrium to a stable one; return it and its multipliers, or None."""
     nf = problem.structure.nf
-    for _ in range(KICKS):
+    for _ in range(MAX_KICKS):
         here = tangent(problem, q)
         Z, _left = null_space(here.D, nf)
         way = Z @ eigh(Z.T @ here.K @ Z)[1][:, 0]
         x = q.balance.x.copy()
-        x[:nf] += problem.x_scale * way * (KICK / float(np.abs(way).max()))
+        x[:nf] += problem.x_scale * way * (KICK_SIZE / float(np.abs(way).max()))
         found = descend(problem, t, x, mu, q.balance.e)
         if found is None or not unstable_motions(problem, found[0]):
             return found

@@ -1,7 +1,7 @@
-"""Buckling and free vibrations about a state of rest.
+"""Computes buckling loads and free vibrations about a state of rest.
 
-Both are eigenvalue problems of the tangent r_x on the admissible motions, so no choice
-of independent coordinates is needed.  Source: Besseling (1974) for buckling with generalized deformations.
+Both are eigenvalue problems of the tangent r_x on the admissible motions, so no choice of independent coordinates is
+needed.  Source: Besseling (1974) for buckling with generalized deformations.
 """
 
 from __future__ import annotations
@@ -17,19 +17,21 @@ from scipy.sparse.linalg import LinearOperator, eigsh, splu
 from flexel.base.arguments import numbers, whole
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError, ModelError
+from flexel.base.null_space import null_space
 from flexel.base.shown import Listing
-from flexel.mechanics.core import Core
-from flexel.mechanics.diagnose import null_space
-from flexel.statics.eigenproblem import SKEW, SMALL, Pencil
+from flexel.model.state import State
+from flexel.statics.eigenproblem import MAX_DENSE_SIZE, SKEW_TOLERANCE, Pencil
 from flexel.statics.equilibrium import Equations, Rest
 from flexel.statics.refining import parts
 from flexel.statics.rest_check import check_balance, check_rest
-from flexel.structure.state import State
+from flexel.system import CoreSystem
 
 _eigsh: Any = eigsh
 _eig: Any = eig
-COUPLED = 1e-6  # imaginary part of an eigenvalue, relative to it, that is not rounding
-FLUTTER = 2e-3  # the same that is flutter: it grows by more than the damping of any structure takes, 0.1 % of critical
+# Imaginary part of an eigenvalue, relative to its magnitude, that is not a rounding error.
+COUPLED_TOLERANCE = 1e-6
+# The same from which it is flutter, which grows by more than the damping of any structure takes, 0.1 % of critical.
+FLUTTER_SHARE = 2e-3
 
 
 @dataclass(frozen=True)
@@ -49,15 +51,17 @@ class BucklingMode:
     HEAD: ClassVar[tuple[str, ...]] = ("multiplier", "largest changes")
 
     def row(self) -> tuple[str, ...]:
-        """The line in a table of modes."""
+        """Return its line in a table of modes."""
         return f"{self.multiplier:.6g}", largest(self.shape)
 
     def __repr__(self) -> str:
         return f"BucklingMode(multiplier {self.multiplier:.6g}: {largest(self.shape)})"
 
 
-def buckling(system: Core, state: State, increment: Mapping[str, float], count: int) -> Listing[BucklingMode]:
-    """Buckling multipliers of a load increment at a preloaded state; see `System.buckling`.
+def buckling(
+    system: CoreSystem, state: State, increment: Mapping[str, float], count: int
+) -> Listing[BucklingMode]:
+    """Compute buckling multipliers of a load increment at a preloaded state; see `System.buckling`.
 
     Parameters
     ----------
@@ -97,12 +101,12 @@ def buckling(system: Core, state: State, increment: Mapping[str, float], count: 
             "not supported; start from an earlier state of the path"
         ) from error
     modes = [(-1.0 / wi, V[:, i]) for i, wi in enumerate(w) if abs(wi) > 1e-12 * np.abs(w).max(initial=0.0)]
-    modes.sort(key=lambda z: (abs(z[0]), -z[0]))
-    return Listing(BucklingMode(float(z), _shape(system, v)) for z, v in modes[:count])
+    modes.sort(key=lambda mode: (abs(mode[0]), -mode[0]))
+    return Listing(BucklingMode(float(multiplier), _shape(system, v)) for multiplier, v in modes[:count])
 
 
 def _by_load(problem: Rest, q: Equations, load: Array) -> Any:
-    """Derivative (nf, nf) of the stiffness along the equilibria under growing loads, at the last evaluation.
+    """Return the derivative (nf, nf) of the stiffness along the equilibria under growing loads, at the last evaluation.
 
     Parameters
     ----------
@@ -110,21 +114,21 @@ def _by_load(problem: Rest, q: Equations, load: Array) -> Any:
         Generalized forces on the quantities.
     """
     s, work, first = problem.structure, problem.work, problem.first
-    nodal, change = load[first:] + work.pull(load[:first]), np.zeros(s.n)
+    nodal, change = load[first:] + work.vjp(load[:first]), np.zeros(s.n)
     solution = q.matrix.solve(np.concatenate([nodal[: s.nf], np.zeros(problem.hold_rows.size)]))
     change[: s.nf] = solution[: s.nf]
     left, right = np.divmod(work.tables.law.codes, max(first, 1))
-    by_laws = work.S[: left.size] * work.push(change)[right]
+    by_laws = work.S[: left.size] * work.jvp(change)[right]
     stress = np.bincount(left, by_laws, minlength=first) - load[:first]
     inner = problem.force_rows < first
     np.add.at(stress, problem.force_rows[inner], solution[s.nf :][inner])
     work.S[:] = work.S_rate[:] = 0.0  # the rest is proportional to the stresses, except for body forces
-    under, free = (_tangent(problem, z) for z in (stress, np.zeros(first)))
+    under, free = (_tangent(problem, each) for each in (stress, np.zeros(first)))
     return work.tables.T.pattern.matrix(under - free)
 
 
 def _tangent(problem: Rest, stress: Array) -> Array:
-    """Entries of the tangent at given stresses (m + k,)."""
+    """Return the entries of the tangent at given stresses (m + k,)."""
     work = problem.work
     work.stress[:] = stress
     work.tangent(1.0, 0.0, 0.0, phi=False)
@@ -150,7 +154,7 @@ class Vibration:
     HEAD: ClassVar[tuple[str, ...]] = ("frequency [rad/s]", "[Hz]", "largest changes")
 
     def row(self) -> tuple[str, ...]:
-        """The line in a table of vibrations."""
+        """Return its line in a table of vibrations."""
         return f"{self.omega:.6g}", f"{self.hertz:.6g}", largest(self.shape)
 
     def __repr__(self) -> str:
@@ -162,8 +166,8 @@ class Vibration:
         return self.omega / (2 * np.pi)
 
 
-def vibrations(system: Core, state: State, count: int) -> Listing[Vibration]:
-    """Lowest natural frequencies and modes about a state of rest; see `System.vibrations`."""
+def vibrations(system: CoreSystem, state: State, count: int) -> Listing[Vibration]:
+    """Compute the lowest natural frequencies and modes about a state of rest; see `System.vibrations`."""
     problem = Rest(system, state)
     q = problem.equations(state.t, state.x, problem.multipliers(state), state.e)
     check_balance("vibrations", problem, q)
@@ -175,11 +179,11 @@ def vibrations(system: Core, state: State, count: int) -> Listing[Vibration]:
     w2, V = _lowest(problem, q, M, count)
     omega = np.sign(w2) * np.sqrt(np.abs(w2))
     check_rest("vibrations", problem, state, omega)
-    return Listing(Vibration(float(z), _shape(system, V[:, i])) for i, z in enumerate(omega))
+    return Listing(Vibration(float(frequency), _shape(system, V[:, i])) for i, frequency in enumerate(omega))
 
 
 def _lowest(problem: Rest, q: Equations, M: Any, count: int) -> tuple[Array, Array]:
-    """The lowest eigenvalues of K v = w² M v, ascending, to the last digits, and admissible vectors (nf, …).
+    """Compute the lowest eigenvalues of K v = w² M v, ascending, to the last digits, and admissible vectors (nf, …).
 
     Raises
     ------
@@ -188,8 +192,8 @@ def _lowest(problem: Rest, q: Equations, M: Any, count: int) -> tuple[Array, Arr
     """
     shift = -1e-6 * q.stiffness / max(float(np.abs(M.diagonal()).max()), 1e-300)  # a free motion has w = 0
     w2, V = Pencil.of(problem, q, M).lowest(count, shift)
-    flutter = np.abs(w2.imag) > FLUTTER * np.abs(w2)
-    slight = np.abs(w2.imag) > COUPLED * np.abs(w2)
+    flutter = np.abs(w2.imag) > FLUTTER_SHARE * np.abs(w2)
+    slight = np.abs(w2.imag) > COUPLED_TOLERANCE * np.abs(w2)
     if np.any(flutter):
         growth, omega = (abs(part) for part in (np.sqrt(w2[flutter][0]).imag, np.sqrt(w2[flutter][0]).real))
         raise DynamicsError(
@@ -209,7 +213,7 @@ def _lowest(problem: Rest, q: Equations, M: Any, count: int) -> tuple[Array, Arr
 
 
 def _largest(problem: Rest, q: Equations, G: Any, count: int) -> tuple[Array, Array]:
-    """Eigenvalues of G v = w K v of largest magnitude, and admissible vectors (nf, …).
+    """Compute the eigenvalues of G v = w K v of largest magnitude, and admissible vectors (nf, …).
 
     Raises
     ------
@@ -220,7 +224,7 @@ def _largest(problem: Rest, q: Equations, G: Any, count: int) -> tuple[Array, Ar
     """
     pencil = Pencil.of(problem, q, G)
     K, nf = pencil.K, pencil.size
-    if nf <= SMALL:
+    if nf <= MAX_DENSE_SIZE:
         Z = null_space(pencil.C.toarray(), nf)[0]
         stiffness, load = Z.T @ K @ Z, Z.T @ (G @ Z)
         w, V = eigh((load + load.T) / 2, (stiffness + stiffness.T) / 2)
@@ -234,28 +238,28 @@ def _largest(problem: Rest, q: Equations, G: Any, count: int) -> tuple[Array, Ar
         V = V[:nf]
     # relative to the stiffness, which is 1 in these modes
     skew = [np.abs(V.T @ ((part - part.T) @ V)).max(initial=0.0) for part in (K, G)]
-    follower = skew[1] > SKEW * np.abs(w).max(initial=0.0)
-    if skew[0] > SKEW or (follower and nf > SMALL):
+    follower = skew[1] > SKEW_TOLERANCE * np.abs(w).max(initial=0.0)
+    if skew[0] > SKEW_TOLERANCE or (follower and nf > MAX_DENSE_SIZE):
         raise DynamicsError(
             "buckling: forces that have no potential, such as follower forces, make the stiffness unsymmetric; "
             "equilibrium may then be lost by flutter, before any load at which it bifurcates: follow it with "
             "system.static_path(), and take system.linearize(state).eigenvalues() at its states"
         )
-    if follower:  # a moment about an axis at rest, too: only real multipliers are bifurcations
+    if follower:  # such as a moment about a fixed axis: only real multipliers are bifurcations
         complex_w, vectors = _eig(load, (stiffness + stiffness.T) / 2)
-        real = np.abs(complex_w.imag) <= COUPLED * np.abs(complex_w)
+        real = np.abs(complex_w.imag) <= COUPLED_TOLERANCE * np.abs(complex_w)
         w, V = complex_w[real].real, Z @ vectors[:, real].real
     return w, V
 
 
-def _shape(system: Core, dx: Array) -> dict[str, float]:
+def _shape(system: CoreSystem, dx: Array) -> dict[str, float]:
     s = system.structure
     first = s.m + s.k
     pivot = dx[int(np.argmax(np.abs(dx)))] if dx.size else 1.0
-    return {s.names[first + i]: float(z / pivot) for i, z in enumerate(dx)}
+    return {s.names[first + i]: float(entry / pivot) for i, entry in enumerate(dx)}
 
 
 def largest(shape: Mapping[str, float], count: int = 3) -> str:
-    """The largest changes of a shape, by name."""
+    """Return the largest changes of a shape, by name."""
     order = sorted(shape, key=lambda name: -abs(shape[name]))[:count]
     return ", ".join(f"{name} {shape[name]:.3g}" for name in order if shape[name])

@@ -1,4 +1,4 @@
-"""Steady motion and equilibrium by Newton's method on the analytic linearization."""
+"""Finds steady motion and equilibrium by Newton's method on the analytic linearization."""
 
 from __future__ import annotations
 
@@ -12,33 +12,35 @@ from flexel.base.arguments import names, numbers
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError, PositionError
 from flexel.engine.solvers import least
-from flexel.mechanics.core import Core
-from flexel.mechanics.linearization import Linearization
+from flexel.mechanics.linearized_system import LinearizedSystem
 from flexel.mechanics.newton import newton, shortened
-from flexel.structure.state import State
+from flexel.model.state import State
+from flexel.system import CoreSystem
 
-TOLERANCE = 1e-13  # residual forces, relative to the largest of the balancing forces
-STALLED = 1e-10  # the same, when rounding prevents further progress
+TOLERANCE = 1e-13  # residual forces, relative to the largest balancing force
+STALLED_TOLERANCE = 1e-10  # the same, when rounding prevents further progress
 MAX_ITERATIONS = 30
-LONGEST = 0.3  # largest change of a coordinate in one step
-HALVINGS = 6  # of a step that leads to an unreachable position
+MAX_STEP = 0.3  # largest change of a coordinate in one step
+MAX_HALVINGS = 6  # of a step that leads to an unreachable position
 
 
 def steady_motion(
-    system: Core,
+    system: CoreSystem,
     start: State,
     rates: Mapping[str, float] | None,
     unknown: Sequence[str] | None,
     unknown_rates: Sequence[str],
 ) -> State:
-    """State near `start` with q_d'' = 0 and internal states of laws at rest; see `System.steady`."""
+    """Find the state near `start` with q_d'' = 0 and internal states of laws at rest; see `System.steady`."""
     kinematics = system.kinematics
     dynamic, kinematic, _ = kinematics.role_names
     dofs, nd = [*dynamic, *kinematic], system.roles.nd
     columns = (
-        list(range(len(dofs))) if unknown is None else [_place(dofs, z) for z in names(unknown, "steady")]
+        list(range(len(dofs)))
+        if unknown is None
+        else [_place(dofs, name) for name in names(unknown, "steady")]
     )
-    speeds = [_place(dofs[:nd], z) for z in names(unknown_rates, "steady")]
+    speeds = [_place(dofs[:nd], name) for name in names(unknown_rates, "steady")]
     first = start if rates is None else _with_rates(system, start, rates)
 
     def evaluate(state: State) -> tuple[Unbalance, float]:
@@ -50,10 +52,10 @@ def steady_motion(
 
     def move(state: State, unbalance: Unbalance) -> State:
         step = unbalance.step()
-        step = shortened(step, largest(step[: len(columns)]), LONGEST)
+        step = shortened(step, largest(step[: len(columns)]), MAX_STEP)
         return _moved(system, state, (columns, speeds), step)
 
-    found = newton(first, evaluate, move, tolerance=TOLERANCE, stalled=STALLED, most=MAX_ITERATIONS)
+    found = newton(first, evaluate, move, tolerance=TOLERANCE, stalled=STALLED_TOLERANCE, most=MAX_ITERATIONS)
     if found.converged:
         return found.point
     raise PositionError(
@@ -73,7 +75,7 @@ class Unbalance:
         Residual forces, relative to `scale`, the balancing ones.
     lag : ndarray (nz,)
         Rates of internal states of laws.
-    lin : Linearization
+    lin : LinearizedSystem
     columns, speeds : list of int
         The unknown coordinates and rates.
     """
@@ -81,66 +83,68 @@ class Unbalance:
     forces: Array
     lag: Array
     scale: float
-    lin: Linearization
+    lin: LinearizedSystem
     columns: list[int]
     speeds: list[int]
 
-    def _by(self, values: Array, rates: Array, lags: Array) -> Array:
-        """Derivatives with respect to the unknowns: coordinates, rates, internal states."""
-        return np.hstack([values[:, self.columns], rates[:, self.speeds], lags])
+    def _by(self, values: Array, rates: Array, internal_states: Array) -> Array:
+        """Return the derivatives with respect to the unknowns: coordinates, rates, internal states."""
+        return np.hstack([values[:, self.columns], rates[:, self.speeds], internal_states])
 
     @cached_property
     def by_lag(self) -> Array:
-        """Derivatives (nz, unknowns) of the rates of internal states."""
+        """Return the derivatives (nz, unknowns) of the rates of internal states."""
         return self._by(self.lin.Z_q, self.lin.Z_v, self.lin.Z_z)
 
     @property
     def size(self) -> float:
-        """Largest relative error."""
+        """Return the largest relative error."""
         if not self.lag.size:
             return largest(self.forces)
         return max(largest(self.forces), largest(self.lag) / max(largest(self.by_lag), 1.0))
 
     def step(self) -> Array:
-        """The smallest change of the unknowns that removes it."""
+        """Return the smallest change of the unknowns that removes it."""
         by_forces = self._by(self.lin.K, self.lin.C, self.lin.Z) / self.scale
         return least(np.vstack([by_forces, self.by_lag]), -np.concatenate([self.forces, self.lag]), 1e-10)
 
 
-def _moved(system: Core, state: State, places: tuple[list[int], list[int]], step: Array) -> State:
-    """The state with its unknown values and rates changed by a step, shortened if the position is unreachable."""
+def _moved(system: CoreSystem, state: State, places: tuple[list[int], list[int]], step: Array) -> State:
+    """Return the state with its unknowns changed by a step, which is shortened if the position is unreachable."""
     names, nd = [system.structure.names[i] for i in system.roles.dofs], system.roles.nd
     columns, speeds = places
-    for shorter in range(HALVINGS + 1):
+    for shorter in range(MAX_HALVINGS + 1):
         part = step / 2**shorter
         values = {names[j]: float(state.q[j] + d) for j, d in zip(columns, part, strict=False)}
-        lags = part[len(columns) + len(speeds) :]
-        values |= {name: float(state.z[i] + lags[i]) for name, i in system.structure.internal.items()}
+        internal_states = part[len(columns) + len(speeds) :]
+        values |= {
+            name: float(state.z[i] + internal_states[i]) for name, i in system.structure.internal.items()
+        }
         qd = state.qd.copy()
         qd[speeds] += part[len(columns) :][: len(speeds)]
         try:
             return system.state_at(values, dict(zip(names[:nd], qd, strict=True)), start=state)
         except PositionError:
-            if shorter == HALVINGS:
+            if shorter == MAX_HALVINGS:
                 raise
     return state
 
 
-def _force_scale(system: Core, state: State, lin: Linearization) -> float:
-    """Size of the balancing forces in the reduced equations; the workspace holds the state that was linearized."""
+def _force_scale(system: CoreSystem, state: State, lin: LinearizedSystem) -> float:
+    """Return the size of the balancing forces in the reduced equations; the workspace holds the linearized state."""
     work, nf = system.evaluation.work, system.structure.nf
-    reach, pulled = lin.transfer.H[:, : len(lin.dynamic)], work.pull(state.stresses)
+    reach, pulled = lin.transfer.H[:, : len(lin.dynamic)], work.vjp(state.stresses)
     return max(
         max(largest(work.F[:nf]), largest(pulled[:nf])) * largest(reach), largest(work.M) * 1e-3, 1e-300
     )
 
 
 def largest(values: Array) -> float:
-    """Largest size of some numbers; zero if there are none."""
+    """Return the largest magnitude in an array; zero if it is empty."""
     return float(np.abs(values).max(initial=0.0))
 
 
-def _with_rates(system: Core, start: State, rates: Mapping[str, float]) -> State:
+def _with_rates(system: CoreSystem, start: State, rates: Mapping[str, float]) -> State:
     names = [system.structure.names[i] for i in system.roles.dynamic]
     given = dict(zip(names, start.qd, strict=True)) | numbers(rates, "steady", "rate")
     return system.state_at(rates=given, start=start)

@@ -10,28 +10,30 @@ import pytest
 from coarse import COARSE_MESH
 
 import flexel as fx
-from flexel.analyses import abreast as motions
 from flexel.examples import bicycle_data as data
 from flexel.examples.bicycle import bicycle, rolling
-from flexel.integration.abreast import STOPPED, Abreasts
+from flexel.integration.imbalance import Imbalance
+from flexel.integration.lane_motions import STOPPED, LaneMotions
+from flexel.integration.minimal import MinimalRun
+from flexel.results.analyses import variant_lanes as motions
 
 
 @pytest.fixture
 def seen(monkeypatch: pytest.MonkeyPatch) -> Counter[str]:
     """How often a motion enters a lane, and how often a lane stops before an unusual step."""
     found: Counter[str] = Counter()
-    enter, look = Abreasts.enter, Abreasts.look
+    enter, look = LaneMotions.enter, LaneMotions.look
 
-    def entered(self: Abreasts, *given: object) -> None:
+    def entered(self: LaneMotions, *given: object) -> None:
         found["entered"] += 1
         enter(self, *given)  # type: ignore[arg-type]
 
-    def looked(self: Abreasts, lane: int) -> bool:
+    def looked(self: LaneMotions, lane: int) -> bool:
         found["stopped"] += int(self._lanes.doing[lane] == STOPPED)
         return look(self, lane)
 
-    monkeypatch.setattr(Abreasts, "enter", entered)
-    monkeypatch.setattr(Abreasts, "look", looked)
+    monkeypatch.setattr(LaneMotions, "enter", entered)
+    monkeypatch.setattr(LaneMotions, "look", looked)
     return found
 
 
@@ -68,9 +70,25 @@ CASES: dict[str, tuple[Callable[[], fx.Model | fx.System], str, bool]] = {
 }
 
 
+@pytest.fixture
+def balances(monkeypatch: pytest.MonkeyPatch) -> list[Imbalance]:
+    """The energy balance of each motion that has ended."""
+    found: list[Imbalance] = []
+    own = MinimalRun.imbalance
+
+    def noted(self: MinimalRun) -> Imbalance:
+        found.append(own(self))
+        return found[-1]
+
+    monkeypatch.setattr(MinimalRun, "imbalance", noted)
+    return found
+
+
 @COARSE_MESH
 @pytest.mark.parametrize("name", CASES)
-def test_lanes_have_the_digits_of_variants_alone(name: str, seen: Counter[str]) -> None:
+def test_lanes_have_the_digits_of_variants_alone(
+    name: str, seen: Counter[str], balances: list[Imbalance]
+) -> None:
     model, parameter, stops = CASES[name]
     built = model()
     s = built if isinstance(built, fx.System) else built.build()
@@ -86,8 +104,12 @@ def test_lanes_have_the_digits_of_variants_alone(name: str, seen: Counter[str]) 
     )
     assert not found.failed and seen["entered"] >= 10
     assert not stops or seen["stopped"] > 0
-    assert len({z["steps"] for z in found.statistics}) > 1
+    assert len({run["steps"] for run in found.statistics}) > 1
+    abreast = balances.copy()
+    balances.clear()
     compare(found)
+    assert len(abreast) == 10 and all(0 < balance.moved < np.inf and not balance.fails for balance in abreast)
+    assert set(balances) == set(abreast)
 
 
 def test_pivots_that_are_not_sound_are_ordered_anew_alone(seen: Counter[str]) -> None:
@@ -152,5 +174,5 @@ def test_an_interrupt_keeps_the_motions_that_are_done(monkeypatch: pytest.Monkey
     with pytest.warns(fx.IncompleteWarning, match="of 14 .*interrupted"):
         found = s.simulate_many(1.0, parameters=heavier(s, "rod.rhoA", 14), threads=1, samples=3)
     done = [i for i in range(14) if i not in found.failed]
-    assert 1 <= len(done) <= 11 and all("interrupted" in z for z in found.failed.values())
+    assert 1 <= len(done) <= 11 and all("interrupted" in message for message in found.failed.values())
     assert np.isfinite(found["pivot.angle"][done]).all()

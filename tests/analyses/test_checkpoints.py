@@ -14,8 +14,8 @@ import pytest
 from rides import SUFFIXES, ride, same
 
 import flexel as fx
-from flexel.analyses import checkpoints
 from flexel.integration.driver import Run
+from flexel.results.analyses import checkpoints
 
 
 class Killed(BaseException):
@@ -25,7 +25,7 @@ class Killed(BaseException):
 @pytest.fixture
 def dies(monkeypatch: pytest.MonkeyPatch) -> Callable[[int], None]:
     """A process that ends after some steps, at once after it has written a checkpoint."""
-    monkeypatch.setattr(checkpoints, "EVERY", 0.0)
+    monkeypatch.setattr(checkpoints, "CHECKPOINT_INTERVAL_S", 0.0)
     write = checkpoints.Checkpoint.__call__
 
     def after(steps: int) -> None:
@@ -98,7 +98,7 @@ def test_a_killed_simulation_goes_on(tmp_path: Path, dies: Callable[[int], None]
     assert found.statistics["steps"] >= whole.statistics["steps"]
 
 
-def test_the_energy_ledger_goes_on(tmp_path: Path, dies: Callable[[int], None]) -> None:
+def test_the_energy_balance_goes_on(tmp_path: Path, dies: Callable[[int], None]) -> None:
     """What was dissipated and supplied before a break is counted."""
 
     def simulate(path: Path | None) -> fx.Motion:
@@ -123,7 +123,9 @@ def test_rolling_wheels_and_events_go_on(tmp_path: Path, dies: Callable[[int], N
     path = tmp_path / f"run{suffix}"
     found = killed_and_continued(dies, path, 20, simulate)
     assert len(whole.events) > 1
-    assert [z.t for _, z in found.events] == pytest.approx([z.t for _, z in whole.events], abs=1e-8)
+    assert [state.t for _, state in found.events] == pytest.approx(
+        [state.t for _, state in whole.events], abs=1e-8
+    )
     assert np.max(np.abs(found.x - whole.x)) < 1e-8
     again = simulate(path)
     assert again.message == found.message
@@ -184,9 +186,9 @@ def test_a_file_of_something_else_is_not_overwritten(tmp_path: Path) -> None:
 
 MODEL = """
 import flexel as fx
-from flexel.analyses import checkpoints
+from flexel.results.analyses import checkpoints
 
-checkpoints.EVERY = 0.01
+checkpoints.CHECKPOINT_INTERVAL_S = 0.01
 model = fx.Model(gravity=(0, -9.81))
 model.point("O", (0.0, 0.0), fixed=True)
 model.point_mass("bob", model.point("P", (0.6, -0.8)), 2.0)

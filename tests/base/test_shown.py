@@ -129,9 +129,9 @@ def test_a_stiff_system_says_so() -> None:
 
 @pytest.mark.parametrize("count", [3, 100])
 def test_long_tables_are_cut(count: int) -> None:
-    from flexel.base.shown import Table
+    from flexel.base.shown import PrintedTable
 
-    shown = Table("title", ("a", "b"), [(str(i), "<b>") for i in range(count)])
+    shown = PrintedTable("title", ("a", "b"), [(str(i), "<b>") for i in range(count)])
     assert ("and 40 more" in shown.text) == (count == 100) == ("and 40 more" in shown.html)
     assert "&lt;b&gt;" in shown.html
 

@@ -28,7 +28,9 @@ def test_a_linear_table_is_the_interpolation_of_numpy_and_names_its_kinks() -> N
 
 def test_a_table_of_steps_holds_each_value_until_the_next_time() -> None:
     table = fx.Table([0.0, 1.0, 2.0, 3.0], [5.0, 5.0, 7.0, 9.0], kind="step")
-    assert [table.rates(t) for t in (0.0, 1.5, 2.0, 2.9)] == [(z, 0.0, 0.0) for z in (5.0, 5.0, 7.0, 7.0)]
+    assert [table.rates(t) for t in (0.0, 1.5, 2.0, 2.9)] == [
+        (rate, 0.0, 0.0) for rate in (5.0, 5.0, 7.0, 7.0)
+    ]
     assert table.rates(3.0)[0] == 9.0
     assert table.knots.tolist() == [2.0, 3.0]
 

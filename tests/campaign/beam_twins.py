@@ -25,19 +25,19 @@ PLANAR = ("elongation", "bend1", "bend2")
 def hermite(p: Array, slope_p: Array, q: Array, slope_q: Array) -> list[Array]:
     """Array at the Gauss points of the cubic with these end values and these slopes by xi."""
     return [
-        (1 + 2 * z) * (1 - z) ** 2 * p
-        + z * (1 - z) ** 2 * slope_p
-        + z**2 * (3 - 2 * z) * q
-        + z**2 * (z - 1) * slope_q
-        for z in XI
+        (1 + 2 * xi) * (1 - xi) ** 2 * p
+        + xi * (1 - xi) ** 2 * slope_p
+        + xi**2 * (3 - 2 * xi) * q
+        + xi**2 * (xi - 1) * slope_q
+        for xi in XI
     ]
 
 
 def mean(values: Sequence[Array]) -> Array:
     """Integral over xi, from 0 to 1, of what has these values at the Gauss points."""
     total = WEIGHTS[0] * values[0]
-    for w, z in zip(WEIGHTS[1:], values[1:], strict=True):
-        total = total + w * z
+    for w, value in zip(WEIGHTS[1:], values[1:], strict=True):
+        total = total + w * value
     return total
 
 
@@ -47,9 +47,9 @@ def sections(shear: float, chord: Array, p: Array, q: Array) -> Array:
     With the shear number, the sections turn as those of a Timoshenko beam under loads at its ends.
     """
     rates = [
-        (6 * z * (1 - z) * chord + (1 - z) * (1 - 3 * z + shear) * p + z * (3 * z - 2 + shear) * q)
+        (6 * xi * (1 - xi) * chord + (1 - xi) * (1 - 3 * xi + shear) * p + xi * (3 * xi - 2 + shear) * q)
         / (1 + shear)
-        for z in XI
+        for xi in XI
     ]
     return mean([w * w for w in rates])
 
@@ -122,7 +122,7 @@ class Beam(Stressed):
 
     def _draw(self, drawn: Sequence[Array], direction: Sequence[float]) -> None:
         """Undeformed length, and the triads of the section as vectors fixed in the bodies at p and q."""
-        xp, rp, xq, rq = (np.asarray(z, float) for z in drawn)
+        xp, rp, xq, rq = (np.asarray(place, float) for place in drawn)
         self.l0 = float(norm(xq - xp))
         ex = (xq - xp) / self.l0
         hint = np.asarray(direction, float)
@@ -152,12 +152,12 @@ class Beam(Stressed):
         slope_p = rotated_rate(x[3:7], v[3:7], self.at_p[0])
         slope_q = rotated_rate(x[10:14], v[10:14], self.at_q[0])
         axis = hermite(v[:3], l0 * slope_p, v[7:10], l0 * slope_q)
-        T = self.rhoA * mean([dot(z, z) for z in axis])
+        T = self.rhoA * mean([dot(velocity, velocity) for velocity in axis])
         chord = (v[7:10] - v[:3]) / norm(x[7:10] - x[:3])
         about_y, about_z = -dot(chord, p[2] + q[2]) / 2, dot(chord, p[1] + q[1]) / 2
         in_p, in_q = body_rate(x[3:7], v[3:7]), body_rate(x[10:14], v[10:14])
         w_p, w_q = ([dot(w, e) for e in at] for w, at in ((in_p, self.at_p), (in_q, self.at_q)))
-        twisting = [(1 - z) * w_p[0] + z * w_q[0] for z in XI]
+        twisting = [(1 - xi) * w_p[0] + xi * w_q[0] for xi in XI]
         T = T + jx * mean([w * w for w in twisting])
         T = T + jy * sections(self.shear[1], about_y, w_p[1], w_q[1])
         T = T + jz * sections(self.shear[0], about_z, w_p[2], w_q[2])
@@ -193,7 +193,7 @@ class PlanarBeam(Beam):
         return elastic(PLANAR, S[np.ix_(own, own)], rest, ratio)
 
     def _draw(self, drawn: Sequence[Array], direction: Sequence[float]) -> None:  # noqa: ARG002 (of space)
-        xp, rp, xq, rq = (np.asarray(z, float) for z in drawn)
+        xp, rp, xq, rq = (np.asarray(place, float) for place in drawn)
         self.l0 = float(norm(xq - xp))
         ex = (xq - xp) / self.l0
         self.at_p, self.at_q = ([turned(-r[0], e) for e in (ex, np.array([-ex[1], ex[0]]))] for r in (rp, rq))
@@ -210,7 +210,7 @@ class PlanarBeam(Beam):
         l0 = self.l0
         p, q = turned(x[2], self.at_p[1]), turned(x[5], self.at_q[1])
         axis = hermite(v[:2], l0 * v[2] * p, v[3:5], l0 * v[5] * q)
-        T = self.rhoA * mean([dot(z, z) for z in axis])
+        T = self.rhoA * mean([dot(velocity, velocity) for velocity in axis])
         chord = dot(v[3:5] - v[:2], p + q) / (2 * norm(x[3:5] - x[:2]))
         return l0 * (T + self.rhoJ.sum() * sections(self.shear[0], chord, v[2], v[5])) / 2
 

@@ -1,19 +1,23 @@
 """The same mechanism elsewhere and in other units: turned, shifted, mirrored, scaled in length, mass and time.
 
-Every method of the model says here how its arguments change (`changed`); the motion of the new model must be the
+Every kind of part says here how its fields change (`changed`); the motion of the new model must be the
 changed motion of the old one.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
+import flexel as fx
 from campaign.algebra import product, rotation
-from campaign.calls import Call, Case, Made, Node
+from campaign.case import Case, Node
 from flexel.base.arrays import Array
+from flexel.model.part import Part, kind_of
+from flexel.parts.written import arguments_of
 
+Declared = TypeVar("Declared", bound=Part[Any])
 EXPONENTS = {"M": 0, "L": 1, "T": 2}
 
 
@@ -37,24 +41,21 @@ class Change:
 
     def size(self, unit: str, value: Any) -> Any:
         """A number (or several) of a unit such as ``M L2 T-2``; a function of time too."""
-        powers = [(z[0], int(z[1:] or 1)) for z in unit.split()]
+        powers = [(word[0], int(word[1:] or 1)) for word in unit.split()]
         factors = {"M": self.mass, "L": self.length, "T": self.time}
-        factor = float(np.prod([factors[z] ** n for z, n in powers]))
+        factor = float(np.prod([factors[letter] ** n for letter, n in powers]))
         return self.factored(value, factor)
 
     def factored(self, value: Any, factor: float) -> Any:
         """A number or a function of time, times a factor; a function runs slower by the factor of time."""
-        if isinstance(value, Made):
-            if value.name == "Harmonic":
-                a, w, *rest = value.args
-                rest = [*rest[:1], *(z * factor for z in rest[1:])]
-                return Made("Harmonic", (a * factor, w / self.time, *rest))
-            if value.name == "Polynomial":
-                return Made(
-                    "Polynomial", (tuple(c * factor / self.time**i for i, c in enumerate(value.args[0])),)
-                )
-            raise Inapplicable(f"no change of {value.name}")
-        return tuple(z * factor for z in value) if isinstance(value, tuple) else value * factor
+        if isinstance(value, fx.Harmonic):
+            a, w, phase, offset = value.amplitude, value.omega, value.phase, value.offset
+            return fx.Harmonic(a * factor, w / self.time, phase, offset * factor)
+        if isinstance(value, fx.Polynomial):
+            return fx.Polynomial(tuple(c * factor / self.time**i for i, c in enumerate(value.coefficients)))
+        if callable(value):
+            raise Inapplicable(f"no change of {type(value).__name__}")
+        return tuple(number * factor for number in value) if isinstance(value, tuple) else value * factor
 
     def vector(self, b: Any) -> Array:
         """A direction in global axes."""
@@ -114,15 +115,15 @@ class Change:
         return (self.frame(v) if node.kind == "frame" else self.sign * v) / self.time**order
 
 
-Changer = Callable[[Change, Call, Case], Call]
-CHANGERS: dict[str, Changer] = {}
+Changer = Callable[[Change, Any, Case], Part[Any]]
+CHANGERS: dict[type[Part[Any]], Changer] = {}
 
 
-def changer(*methods: str) -> Callable[[Changer], Changer]:
-    """Register how the calls of these methods change."""
+def changer(*kinds: type[Part[Any]]) -> Callable[[Changer], Changer]:
+    """Register how parts of these kinds change."""
 
     def register(function: Changer) -> Changer:
-        CHANGERS.update(dict.fromkeys(methods, function))
+        CHANGERS.update(dict.fromkeys(kinds, function))
         return function
 
     return register
@@ -134,25 +135,35 @@ def changed(case: Case, change: Change) -> Case:
     Raises
     ------
     Inapplicable
-        If a call cannot be expressed after it.
+        If a part cannot be expressed after it.
     """
-    calls = []
-    for call in case.calls:
-        if call.method not in CHANGERS:
-            raise Inapplicable(f"no change of m.{call.method} is written down")
-        calls.append(CHANGERS[call.method](change, call, case))
+    parts = []
+    for part in case.parts:
+        if type(part) not in CHANGERS:
+            raise Inapplicable(f"no change of a {kind_of(type(part))} is written down")
+        parts.append(CHANGERS[type(part)](change, part, case))
     gravity = change.length / change.time**2 * change.vector(case.gravity)
     return replace(
-        case, gravity=tuple(gravity.tolist()), calls=tuple(calls), duration=case.duration * change.time
+        case, gravity=tuple(gravity.tolist()), parts=tuple(parts), duration=case.duration * change.time
     )
 
 
-def options(call: Call, **values: Any) -> Call:
-    """The call with other options; those that it does not have are left out."""
-    new = {
-        key: z.tolist() if isinstance(z, np.ndarray) else z
-        for key, z in values.items()
-        if key in call.options
-    }
-    new = {key: tuple(z) if isinstance(z, list) else z for key, z in new.items()}
-    return replace(call, options={**call.options, **new})
+def having(part: Declared, **values: Any) -> Declared:
+    """The part with other values of fields; those that it has by default stay as they are."""
+    return replace(part, **{key: listed(value) for key, value in values.items() if key in arguments_of(part)})
+
+
+def sized(change: Change, part: Declared, units: dict[str, str]) -> Declared:
+    """The part with its fields that have a unit."""
+    given = arguments_of(part)
+    return having(part, **{key: change.size(unit, given[key]) for key, unit in units.items() if key in given})
+
+
+def numbers(change: Change, values: Mapping[str, Any], units: Mapping[str, str]) -> dict[str, Any]:
+    """The parameters of an element or a law, those changed that have a unit."""
+    return {key: change.size(units[key], value) if key in units else value for key, value in values.items()}
+
+
+def listed(value: Any) -> Any:
+    """An array as a tuple; other values as they are."""
+    return tuple(value.tolist()) if isinstance(value, np.ndarray) and value.ndim else value

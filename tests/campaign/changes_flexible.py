@@ -1,14 +1,23 @@
-"""How the calls of beams, cables, ropes and tyres change with the model; see `changes`."""
+"""How beams, cables, ropes and tyres change with the model; see `changes`."""
 
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
-from campaign.calls import Call, Case, Made
-from campaign.changes import Change, Inapplicable, changer, options
-from campaign.changes_of_calls import deformation, sign_of, unit_of
-from campaign.parts_ropes import Line
+import flexel as fx
+from campaign.case import Case
+from campaign.changes import Change, Inapplicable, changer, having, listed, numbers, sized
+from campaign.changes_of_parts import deformation, sign_of, unit_of
+from campaign.known_lines import KnownLine
+from flexel.parts.beams import Beam
+from flexel.parts.cables import Cable, Slope
+from flexel.parts.laws import AttachedLaw
+from flexel.parts.loads import DistributedLoad
+from flexel.parts.roles import Initial
+from flexel.parts.rope_contacts import RopeContact
+from flexel.parts.rope_surfaces import Sheave
+from flexel.parts.springs import MassDamping
+from flexel.parts.wheels import Tyre
 
 UP = (0.0, 0.0, 1.0)
 BENDING = "M L3 T-2"
@@ -23,7 +32,14 @@ BEAM = {
     "mass_per_length": "M L-1",
     "inertia_per_length": "M L",
 }
-CABLE = {"EA": "M L T-2", "EI": BENDING, "mass_per_length": "M L-1", "damping": "T", "bending_damping": "T"}
+CABLE = {
+    "length": "L",
+    "EA": "M L T-2",
+    "EI": BENDING,
+    "mass_per_length": "M L-1",
+    "damping": "T",
+    "bending_damping": "T",
+}
 CONTACT = {
     "dissipation": "T L-1",
     "slip_speed": "L T-1",
@@ -40,137 +56,116 @@ LAWS: dict[str, dict[str, str]] = {
 }
 
 
-def _numbers(values: Any) -> tuple[float, ...]:
-    return tuple(np.asarray(values).tolist())
-
-
-def _sized(change: Change, call: Call, units: dict[str, str]) -> Call:
-    """The options that have a unit."""
-    return options(
-        call, **{key: change.size(u, call.options[key]) for key, u in units.items() if key in call.options}
-    )
-
-
-@changer("beam")
-def _beam(change: Change, call: Call, case: Case) -> Call:
-    new = _sized(change, call, BEAM)
-    if "direction" in call.options:
-        new = options(new, direction=_numbers(change.vector(call.options["direction"])))
-    if "initial_curvature" in call.options:
-        bend = np.array(call.options["initial_curvature"]) / change.length
+@changer(Beam)
+def _beam(change: Change, part: Beam, case: Case) -> Beam:
+    new = sized(change, part, BEAM)
+    if part.direction is not None:
+        new = having(new, direction=change.vector(part.direction))
+    if part.initial_curvature is not None:
+        bend = np.array(part.initial_curvature) / change.length
         turned = (
             np.array([-1.0, -1.0, 1.0]) if bend.size == 3 else -1.0
         )  # the z axis of the section is turned over
-        new = options(new, initial_curvature=bend * turned if change.mirror else bend)
+        bend = bend * turned if change.mirror else bend
+        new = having(new, initial_curvature=bend if bend.ndim else float(bend))
     return new
 
 
-@changer("distributed_load")
-def _distributed_load(change: Change, call: Call, case: Case) -> Call:
-    name, value = call.args
-    return replace(call, args=(name, _numbers(change.vector(change.size("M T-2", value)))))
+@changer(DistributedLoad)
+def _distributed_load(change: Change, part: DistributedLoad, case: Case) -> DistributedLoad:
+    return having(part, value=change.vector(change.size("M T-2", part.value)))
 
 
-@changer("mass_damping")
-def _mass_damping(change: Change, call: Call, case: Case) -> Call:
-    return replace(call, args=(call.args[0], change.size("T-1", call.args[1])))
+@changer(MassDamping)
+def _mass_damping(change: Change, part: MassDamping, case: Case) -> MassDamping:
+    return sized(change, part, {"rate": "T-1"})
 
 
-@changer("initial")
-def _initial(change: Change, call: Call, case: Case) -> Call:
-    name, value = call.args
-    new = change.size(unit_of(case, deformation(case, name)), value)
-    return replace(call, args=(name, new * sign_of(change, case, name)))
+@changer(Initial)
+def _initial(change: Change, part: Initial, case: Case) -> Initial:
+    new = change.size(unit_of(case, deformation(case, part.name)), part.value)
+    return replace(part, value=new * sign_of(change, case, part.name))
 
 
-@changer("slope")
-def _slope(change: Change, call: Call, case: Case) -> Call:
-    return replace(call, args=(call.name, _numbers(change.vector(call.args[1]))))
+@changer(Slope)
+def _slope(change: Change, part: Slope, case: Case) -> Slope:
+    return replace(part, direction=listed(change.vector(part.direction)))
 
 
-@changer("cable")
-def _cable(change: Change, call: Call, case: Case) -> Call:
-    *args, length = call.args
-    return _sized(change, replace(call, args=(*args, change.size("L", length))), CABLE)
+@changer(Cable)
+def _cable(change: Change, part: Cable, case: Case) -> Cable:
+    return sized(change, part, CABLE)
 
 
-@changer("clamp", "anchor")
-def _same(change: Change, call: Call, case: Case) -> Call:
-    return call
-
-
-@changer("sheave")
-def _sheave(change: Change, call: Call, case: Case) -> Call:
-    new = _sized(change, call, {"radius": "L"})
-    if "axle" in call.options:
-        new = options(new, axle=_numbers(change.axial(call.options["axle"])))
-    groove = call.options.get("groove")
-    if groove is not None and groove.name == "RoundGroove":
-        bottom, opening = groove.args
-        new = options(new, groove=Made("RoundGroove", (change.size("L", bottom), opening)))
+@changer(Sheave)
+def _sheave(change: Change, part: Sheave, case: Case) -> Sheave:
+    new = having(sized(change, part, {"radius": "L"}), axle=change.axial(part.axle))
+    if isinstance(groove := part.groove, fx.RoundGroove):
+        new = replace(new, groove=replace(groove, radius=change.size("L", groove.radius)))
     return new
 
 
-@changer("rope_contact")
-def _rope_contact(change: Change, call: Call, case: Case) -> Call:
-    line, surface, contact = call.args
-    name, elements, _, _, s, radius = line.args
-    (stiffness,), given = contact.args, contact.options
-    if change.time != 1 and "bristle_stiffness" in given:
+@changer(KnownLine)
+def _line(change: Change, part: KnownLine, case: Case) -> KnownLine:
+    return sized(change, part, {"s": "L", "radius": "L"})
+
+
+@changer(RopeContact)
+def _rope_contact(change: Change, part: RopeContact, case: Case) -> RopeContact:
+    contact = part.contact
+    if change.time != 1 and contact.bristle_stiffness is not None:
         raise Inapplicable("bristles off the surface straighten at a rate that is always the same")
     # a force per length and depth^exponent, which need not be whole
-    new = stiffness * change.mass / change.time**2 / change.length ** given["exponent"]
-    sized = {key: change.size(CONTACT[key], z) if key in CONTACT else z for key, z in given.items()}
-    moved = Line(name, elements, change.size("L", s), change.size("L", radius))
-    return replace(call, args=(moved, surface, Made("Contact", (new,), sized)))
-
-
-@changer("tyre")
-def _tyre(change: Change, call: Call, case: Case) -> Call:
-    z = call.options
-    new: dict[str, Any] = {
-        "radius": change.size("L", z["radius"]),
-        "crown": change.size("L", z.get("crown", 0.0)),
-        "axle": _numbers(change.axial(z["axle"])),  # to the wheel's left, also in the mirror
+    new = contact.stiffness * change.mass / change.time**2 / change.length**contact.exponent
+    sizes = {
+        key: change.size(unit, value)
+        for key, unit in CONTACT.items()
+        if (value := getattr(contact, key)) is not None
     }
-    if "road" in z:
-        new["road"] = _waves(change, z["road"])
-    else:
-        normal = change.vector(z.get("normal", UP)) / np.linalg.norm(z.get("normal", UP))
-        new["normal"] = _numbers(normal)
-        new["height"] = float(change.length * z.get("height", 0.0) + normal @ np.array(change.shift))
-    return replace(call, options=new)
+    return replace(part, contact=replace(contact, stiffness=new, **sizes))
 
 
-def _waves(change: Change, road: Made) -> Made:
+@changer(Tyre)
+def _tyre(change: Change, part: Tyre, case: Case) -> Tyre:
+    # the axle points to the wheel's left, also in the mirror
+    new = having(sized(change, part, {"radius": "L", "crown": "L"}), axle=change.axial(part.axle))
+    if part.road is not None:
+        return replace(new, road=_waves(change, part.road))
+    normal = change.vector(part.normal) / np.linalg.norm(part.normal)
+    height = float(change.length * part.height + normal @ np.array(change.shift))
+    return replace(new, normal=listed(normal), height=height)
+
+
+def _waves(change: Change, road: fx.Waves) -> fx.Waves:
     """Waves, which rise along the global z axis."""
     if change.vector(UP)[2] < 1 - 1e-12:
         raise Inapplicable("waves of a road rise along z")
-    (amplitude, wavelength), z = road.args, road.options
-    heading = change.vector((*z["heading"], 0.0))[:2]
-    start = change.length * z["start"] + float(heading @ np.array(change.shift)[:2])
-    height = change.length * z.get("height", 0.0) + change.shift[2]
-    sizes = (change.size("L", amplitude), change.size("L", wavelength))
-    return Made("Waves", sizes, {**z, "start": start, "height": height, "heading": _numbers(heading)})
+    heading = change.vector((*road.heading, 0.0))[:2]
+    return replace(
+        road,
+        amplitude=change.size("L", road.amplitude),
+        wavelength=change.size("L", road.wavelength),
+        start=change.length * road.start + float(heading @ np.array(change.shift)[:2]),
+        heading=listed(heading),
+        height=change.length * road.height + change.shift[2],
+    )
 
 
-@changer("attach")
-def _attach(change: Change, call: Call, case: Case) -> Call:
-    law = call.args[0]
+@changer(AttachedLaw)
+def _attach(change: Change, part: AttachedLaw, case: Case) -> AttachedLaw:
+    law, given = part.law, part.parameters or {}
     if law not in LAWS:
         raise Inapplicable(f"no change of the law {law}")
-    z = call.options
-    new = _sized(change, call, TYRE | LAWS[law])
+    new = numbers(change, given, TYRE | LAWS[law])
+    if law == "magic_formula":  # the second number of its trail has no unit
+        new["trail"] = (change.size("L", given["trail"][0]), given["trail"][1])
     force = change.size(FORCE, 1.0)
     if law == "calspan_tyre":
         powers = {"A": (1, 0, 1, 0, 1), "B": (-1, 0, -2)}
-        new = options(
-            new,
-            **{key: _numbers(np.array(z[key]) * force ** np.array(n, float)) for key, n in powers.items()},
-        )
-        new = options(new, AF=change.size("L", tuple(np.array(z["AF"]) / force)))
-    if law == "magic_formula":
-        new = options(new, trail=(change.size("L", z["trail"][0]), z["trail"][1]))
-        side = change.sign * z["initial"]["tan_alpha"]
-        new = options(new, initial={**z["initial"], "tan_alpha": side})
-    return new
+        for key, n in powers.items():
+            new[key] = listed(np.array(given[key]) * force ** np.array(n, float))
+        new["AF"] = change.size("L", tuple(np.array(given["AF"]) / force))
+    initial = part.initial
+    if initial is not None:
+        initial = {**initial, "tan_alpha": change.sign * initial["tan_alpha"]}
+    return replace(part, parameters=new, initial=initial)

@@ -3,7 +3,7 @@
 from hypothesis.strategies import SearchStrategy
 
 import campaign.changes_flexible
-import campaign.changes_of_calls
+import campaign.changes_of_parts
 import campaign.parts_beams
 import campaign.parts_belts
 import campaign.parts_bodies
@@ -12,8 +12,8 @@ import campaign.parts_joints
 import campaign.parts_ropes
 import campaign.parts_tyres
 import campaign.parts_wheels
-import campaign.pool  # noqa: F401 (each registers what its calls mean)
-from campaign.calls import Case
+import campaign.pool  # noqa: F401 (each registers what its parts mean)
+from campaign.case import Case
 from campaign.grammar_beams import BEAMS
 from campaign.grammar_belts import BELTS
 from campaign.grammar_chains import CHAINS

@@ -5,8 +5,10 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-from campaign.calls import Call, Case, Made, Own, call
+import flexel as fx
+from campaign.case import Case, declared, own
 from campaign.numbers import Draw, directions, inertias, links, masses, moved, number, orientations, rates
+from flexel.model.part import Part
 
 GRAVITY = {
     2: ((0.0, -9.81), (2.0, -5.0), (0.0, 0.0)),
@@ -24,7 +26,7 @@ class Sketch:
         From hypothesis.
     size : int
         Two in the plane, three in space.
-    calls : list of Call
+    parts : list of Part
     places : dict of str to tuple
         Points as drawn.
     joints : list of str
@@ -33,7 +35,7 @@ class Sketch:
 
     draw: Draw
     size: int
-    calls: list[Call] = field(default_factory=list)
+    parts: list[Part[Any]] = field(default_factory=list)
     places: dict[str, tuple[float, ...]] = field(default_factory=dict)
     joints: list[str] = field(default_factory=list)
 
@@ -43,8 +45,8 @@ class Sketch:
         return self.size == 2
 
     def add(self, method: str, *args: Any, **options: Any) -> None:
-        """A call."""
-        self.calls.append(call(method, *args, **options))
+        """A part, by a method of `Model`."""
+        self.parts.append(declared(method, *args, **options))
 
     def point(self, name: str, place: tuple[float, ...], **options: Any) -> str:
         """A point."""
@@ -105,17 +107,17 @@ class Sketch:
             if what == "spring":
                 self.add("spring", name, self.draw(number(1, 40, 1)), **self.draw(extras()))
             elif what == "load":
-                self.add("load", name, Made("Harmonic", (self.draw(number(1, 9, 1)), 3.0, 0.4)))
+                self.add("load", name, fx.Harmonic(self.draw(number(1, 9, 1)), 3.0, 0.4))
             elif what == "motion":
-                self.add("prescribe", name, Made("Harmonic", (0.3, self.draw(number(1, 6, 1)))))
+                self.add("prescribe", name, fx.Harmonic(0.3, self.draw(number(1, 6, 1))))
             elif what == "law":
                 k, lag = self.draw(number(5, 40, 1)), self.draw(number(0.05, 0.5))
-                self.add("law", (name,), Own("pool", "maxwell"), name=f"law{i}", k=k, lag=lag)
+                self.add("law", (name,), own("MAXWELL"), name=f"law{i}", k=k, lag=lag)
 
     def case(self, family: str, *known: str, duration: float = 0.05) -> Case:
         """The case, with gravity and rates."""
         gravity = self.draw(st.sampled_from(GRAVITY[self.size]))
-        return Case(family, gravity, tuple(self.calls), self.draw(rates()), duration, frozenset(known))
+        return Case(family, gravity, tuple(self.parts), self.draw(rates()), duration, frozenset(known))
 
 
 ACTIONS = ("spring", "spring", "load", "motion", "law")

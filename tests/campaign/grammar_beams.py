@@ -5,8 +5,9 @@ from typing import Any
 import numpy as np
 from hypothesis import strategies as st
 
+import flexel as fx
 from campaign.algebra import across
-from campaign.calls import Case, Made
+from campaign.case import Case
 from campaign.grammar import GRAVITY, Sketch
 from campaign.numbers import Draw, links, moved, number, rates
 
@@ -31,21 +32,19 @@ class Frame(Sketch):
         if kind == "free":
             self.body("b0", *first)
         if kind == "shaken":
-            rest = [f"O.{z}" for z in "xyz"[1 : self.size]]
+            rest = [f"O.{axis}" for axis in "xyz"[1 : self.size]]
             self.add("fix", "R0", *rest)
             self.add(
                 "prescribe",
                 "O.x",
-                Made("Harmonic", (self.draw(number(0.02, 0.1)), self.draw(number(1, 8, 1)))),
+                fx.Harmonic(self.draw(number(0.02, 0.1)), self.draw(number(1, 8, 1))),
             )
         if kind in ("hinged", "turned"):
             self.add("fix", "O")
             self.hinge("hub", self.turn("G", fixed=True), "R0")
         if kind == "turned":
-            steady = Made("Polynomial", ((0.0, self.draw(number(-4, 4)), self.draw(number(-3, 3))),))
-            self.add(
-                "prescribe", "hub.angle", self.draw(st.sampled_from((steady, Made("Harmonic", (0.5, 3.0)))))
-            )
+            steady = fx.Polynomial((0.0, self.draw(number(-4, 4)), self.draw(number(-3, 3))))
+            self.add("prescribe", "hub.angle", self.draw(st.sampled_from((steady, fx.Harmonic(0.5, 3.0)))))
         return first
 
     def joint(self, i: int, at: tuple[str, str]) -> tuple[str, str]:
@@ -60,31 +59,31 @@ class Frame(Sketch):
         draw, modes = self.draw, PLANAR if self.planar else MODES
         some = st.lists(st.sampled_from(tuple(modes)), min_size=1, unique=True)
         chosen = tuple(modes) if whole else draw(some)
-        z: dict[str, Any] = {key: draw(number(*STIFFNESS[key], 0.5)) for key in modes if key in chosen}
+        options: dict[str, Any] = {key: draw(number(*STIFFNESS[key], 0.5)) for key in modes if key in chosen}
         for shear, bending in (("GAy", "EIz"), ("GAz", "EIy")):
-            if bending in z and draw(st.booleans()):
-                z[shear] = draw(number(50, 500, 1))
-        z["mass_per_length"] = draw(number(0.5, 3))
+            if bending in options and draw(st.booleans()):
+                options[shear] = draw(number(50, 500, 1))
+        options["mass_per_length"] = draw(number(0.5, 3))
         j = tuple(draw(number(0.02, 0.1)) for _ in range(3))
-        z["inertia_per_length"] = j[0] if self.planar else j
+        options["inertia_per_length"] = j[0] if self.planar else j
         if not self.planar:
             c, s = np.cos(turn := draw(number(-3, 3))), np.sin(turn)
             first, second = across(np.array(arm))
-            z["direction"] = tuple((c * first + s * second).round(4).tolist())
-        if "EA" in z and draw(st.booleans()):
-            z["initial_strain"] = draw(number(-0.02, 0.02, 0.001))
-        if "EIz" in z and draw(st.booleans()):
+            options["direction"] = tuple((c * first + s * second).round(4).tolist())
+        if "EA" in options and draw(st.booleans()):
+            options["initial_strain"] = draw(number(-0.02, 0.02, 0.001))
+        if "EIz" in options and draw(st.booleans()):
             bend = draw(number(-0.3, 0.3))
-            z["initial_curvature"] = bend if self.planar else self._curvature(z, bend)
+            options["initial_curvature"] = bend if self.planar else self._curvature(options, bend)
         if draw(st.booleans()):
-            z["second_order"] = False
+            options["second_order"] = False
         if not self.calm and draw(st.booleans()):
-            z["damping"] = draw(number(0.001, 0.01, 0.001))
-        return z
+            options["damping"] = draw(number(0.001, 0.01, 0.001))
+        return options
 
-    def _curvature(self, z: dict[str, Any], bend: float) -> tuple[float, float, float]:
+    def _curvature(self, options: dict[str, Any], bend: float) -> tuple[float, float, float]:
         """Twist and curvatures of an unloaded beam, where it is flexible."""
-        return (0.1 if "GJ" in z else 0.0, -0.2 if "EIy" in z else 0.0, bend)
+        return (0.1 if "GJ" in options else 0.0, -0.2 if "EIy" in options else 0.0, bend)
 
     def beam(self, name: str, p: tuple[str, str], q: tuple[str, str], whole: bool = False) -> None:
         """A beam between two joints, with loads on it; a rigid mode may be released."""
@@ -92,7 +91,10 @@ class Frame(Sketch):
         options = self._options(arm, whole)
         self.add("beam", name, *p, *q, **options)
         held = [
-            mode for key, z in (PLANAR if self.planar else MODES).items() if key not in options for mode in z
+            mode
+            for key, names in (PLANAR if self.planar else MODES).items()
+            if key not in options
+            for mode in names
         ]
         if held and self.draw(st.integers(0, 3)) == 0:
             self.add("release", f"{name}.{self.draw(st.sampled_from(held))}")
@@ -130,8 +132,8 @@ def frames(draw: Draw, size: int, closed: bool) -> Case:
     known = {"adrift", *({"floating"} if s.calm and size == 3 else ())} if base == "free" else set()
     offsets = tuple(draw(number(-0.05, 0.05)) for _ in range(5))
     family = f"{'closed ' * closed}{'planar' if size == 2 else 'spatial'} beams"
-    calls, speeds = tuple(s.calls), draw(rates(most=1.5))
-    return Case(family, gravity, calls, speeds, 0.02, frozenset(known), offsets=offsets)
+    parts, speeds = tuple(s.parts), draw(rates(most=1.5))
+    return Case(family, gravity, parts, speeds, 0.02, frozenset(known), offsets=offsets)
 
 
 BEAMS = {

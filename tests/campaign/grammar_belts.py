@@ -4,7 +4,7 @@ from typing import Any
 
 from hypothesis import strategies as st
 
-from campaign.calls import Case
+from campaign.case import Case
 from campaign.grammar import Sketch
 from campaign.numbers import Draw, number
 

@@ -2,7 +2,7 @@
 
 from hypothesis import strategies as st
 
-from campaign.calls import Case, Own
+from campaign.case import Case, own
 from campaign.grammar import Sketch
 from campaign.numbers import Draw, directions, links, masses, moved
 
@@ -61,11 +61,11 @@ def strut_and_skate(draw: Draw) -> Case:
     s = Sketch(draw, 3)
     p, r = s.point("P", (0.2, 0.1, 0.4)), s.turn("R")
     s.body("b", p, r)
-    s.add("element", "blade", Own("pool", "skate"), p, r, side=draw(directions()))
+    s.add("element", "blade", own("SKATE"), p, r, side=draw(directions()))
     for i in range(draw(st.integers(0, 2))):
         q = s.point(f"Q{i}", moved(s.places[p], draw(links(3))))
         s.add("point_mass", f"m{i}", q, draw(masses()))
-        s.add("element", f"strut{i}", Own("pool", "strut"), p, q, l0=_length(s, p, q), mass=draw(masses()))
+        s.add("element", f"strut{i}", own("STRUT"), p, q, l0=_length(s, p, q), mass=draw(masses()))
         if draw(st.booleans()):
             s.add("spring", f"strut{i}.stretch", 60.0)
         p = q
@@ -85,7 +85,7 @@ def cams(draw: Draw) -> Case:
     s.add("body", "flywheel", "O", "shaft", mass=2.0, inertia=0.3)
     base, lift = 0.3, draw(st.sampled_from((0.05, 0.1)))
     tip = s.point("tip", (0.0, base + lift / 2))
-    s.add("element", "cam", Own("pool", "cam"), "O", "shaft", tip, base=base, lift=lift)
+    s.add("element", "cam", own("CAM"), "O", "shaft", tip, base=base, lift=lift)
     s.add("point_mass", "follower", tip, draw(masses()))
     if draw(st.booleans()):
         s.add("fix", "tip.x")

@@ -3,7 +3,7 @@
 import numpy as np
 from hypothesis import strategies as st
 
-from campaign.calls import Case
+from campaign.case import Case
 from campaign.grammar import Sketch
 from campaign.numbers import Draw, directions, links, moved, number
 
@@ -135,7 +135,7 @@ def _truss(draw: Draw, size: int, family: str) -> Case:
 
 
 def _grounds(size: int) -> list[tuple[float, ...]]:
-    return [_flat(z, size) for z in ((0.0, 0.0), (1.3, 0.1), (0.4, -0.9))]
+    return [_flat(place, size) for place in ((0.0, 0.0), (1.3, 0.1), (0.4, -0.9))]
 
 
 @st.composite

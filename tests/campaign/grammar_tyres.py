@@ -5,9 +5,11 @@ from typing import Any
 import numpy as np
 from hypothesis import strategies as st
 
+import flexel as fx
 from campaign.algebra import about, product, rotated
-from campaign.calls import Call, Case, Made, call
+from campaign.case import Case, declared
 from campaign.numbers import Draw, number, vectors
+from flexel.model.part import Part
 
 SIDE = ("deflection", "camber", "forward", "sideways", "lateral", "spin")
 MAGIC = ("deflection", "camber", "forward", "rolling", "longitudinal", "lateral", "spin")
@@ -36,7 +38,7 @@ def _magic(draw: Draw) -> dict[str, Any]:
     }
 
 
-def _law(draw: Draw, tyre: str, calm: bool) -> Call:
+def _law(draw: Draw, tyre: str, calm: bool) -> Part[Any]:
     """A law on a tyre; `calm`: a spring alone."""
     law = (
         "vertical_tyre"
@@ -48,10 +50,15 @@ def _law(draw: Draw, tyre: str, calm: bool) -> Call:
         "damping": 0.0 if calm else draw(st.sampled_from([0.0, 300.0])),
     }
     if law == "vertical_tyre":
-        return call("attach", law, [f"{tyre}.{draw(st.sampled_from(['drop', 'deflection']))}"], **more)
+        return declared("attach", law, [f"{tyre}.{draw(st.sampled_from(['drop', 'deflection']))}"], **more)
     if law == "magic_formula":
-        return call(
-            "attach", law, [f"{tyre}.{z}" for z in MAGIC], name=f"rubber of {tyre}", **more, **_magic(draw)
+        return declared(
+            "attach",
+            law,
+            [f"{tyre}.{name}" for name in MAGIC],
+            name=f"rubber of {tyre}",
+            **more,
+            **_magic(draw),
         )
     more["standstill"] = draw(number(1.5, 3))
     if law == "calspan_tyre":
@@ -62,7 +69,7 @@ def _law(draw: Draw, tyre: str, calm: bool) -> Call:
             "camber_stiffness": draw(number(0, 7e3, 1e3)),
             "trail": 0.06,
         }
-    return call("attach", law, [f"{tyre}.{z}" for z in SIDE], **more)
+    return declared("attach", law, [f"{tyre}.{name}" for name in SIDE], **more)
 
 
 def _road(draw: Draw) -> dict[str, Any]:
@@ -73,8 +80,12 @@ def _road(draw: Draw) -> dict[str, Any]:
     if kind == "tilted":
         return {"normal": (*draw(vectors(2, 0.1)), 1.0), "height": draw(number(-0.01, 0.01))}
     heading = draw(number(-3, 3))
-    waves = {"start": -20.0, "count": 10.0, "heading": (float(np.cos(heading)), float(np.sin(heading)))}
-    return {"road": Made("Waves", (draw(number(0.005, 0.05)), 5.0), waves)}
+    waves: dict[str, Any] = {
+        "start": -20.0,
+        "count": 10.0,
+        "heading": (float(np.cos(heading)), float(np.sin(heading))),
+    }
+    return {"road": fx.Waves(draw(number(0.005, 0.05)), 5.0, **waves)}
 
 
 def _leaning(draw: Draw) -> Any:
@@ -83,13 +94,13 @@ def _leaning(draw: Draw) -> Any:
     return product(yaw, lean)
 
 
-def _wheel(draw: Draw, hub: str, frame: str, turn: Any, road: dict[str, Any], calm: bool) -> list[Call]:
+def _wheel(draw: Draw, hub: str, frame: str, turn: Any, road: dict[str, Any], calm: bool) -> list[Part[Any]]:
     """The tyre of a wheel and its law."""
     axle = tuple(rotated(turn, np.array([0.0, 1.0, 0.0])).tolist())
     crown = draw(st.sampled_from([0.0, 0.05]))
     name = f"{frame} tyre"
     return [
-        call("tyre", name, hub, frame, radius=RADIUS, axle=axle, crown=crown, **road),
+        declared("tyre", name, hub, frame, radius=RADIUS, axle=axle, crown=crown, **road),
         _law(draw, name, calm),
     ]
 
@@ -110,10 +121,10 @@ def wheels(draw: Draw) -> Case:
     height = (
         draw(number(0.26, 0.3)) if draw(st.integers(0, 5)) else 0.45
     )  # pressed all the time, or in the air
-    calls = [
-        call("point", "hub", (draw(number(-0.3, 0.3)), draw(number(-0.3, 0.3)), height)),
-        call("frame", "wheel", tuple(turn.tolist())),
-        call(
+    parts = [
+        declared("point", "hub", (draw(number(-0.3, 0.3)), draw(number(-0.3, 0.3)), height)),
+        declared("frame", "wheel", tuple(turn.tolist())),
+        declared(
             "body",
             "rim",
             "hub",
@@ -124,7 +135,7 @@ def wheels(draw: Draw) -> Case:
         *_wheel(draw, "hub", "wheel", turn, _road(draw), draw(st.integers(0, 3)) == 0),
     ]
     speeds = dict(zip(("hub.x", "hub.y", "hub.z"), _velocity(draw, turn), strict=True))
-    return Case("tyres", (0.0, 0.0, -9.81), tuple(calls), draw(vectors(4, 5.0)), 0.01, speeds=speeds)
+    return Case("tyres", (0.0, 0.0, -9.81), tuple(parts), draw(vectors(4, 5.0)), 0.01, speeds=speeds)
 
 
 @st.composite
@@ -133,28 +144,28 @@ def carts(draw: Draw) -> Case:
     road, calm = _road(draw), draw(st.integers(0, 3)) == 0
     turn = _leaning(draw)
     height = draw(number(0.26, 0.3))
-    calls = [
-        call("point", "C", (0.0, 0.0, height)),
-        call("frame", "chassis", tuple(turn.tolist())),
-        call(
+    parts = [
+        declared("point", "C", (0.0, 0.0, height)),
+        declared("frame", "chassis", tuple(turn.tolist())),
+        declared(
             "body", "frame", "C", "chassis", mass=60.0, inertia=(8.0, 9.0, 10.0), offset=draw(vectors(3, 0.2))
         ),
     ]
     axle = tuple(rotated(turn, np.array([0.0, 1.0, 0.0])).tolist())
     for name, x in (("front", draw(number(0.5, 0.8))), ("rear", draw(number(-0.8, -0.5)))):
         hub = rotated(turn, np.array([x, 0.0, 0.0])) + [0.0, 0.0, height]
-        calls += [
-            call("point", f"{name} hub", tuple(hub.tolist())),
-            call("frame", name, tuple(turn.tolist())),
-            call("body_point", f"{name} arm", "C", "chassis", f"{name} hub"),
-            call("hinge", f"{name} axle", "chassis", name, axis=axle),
-            call("body", f"{name} rim", f"{name} hub", name, mass=15.0, inertia=(0.6, 1.0, 0.6)),
+        parts += [
+            declared("point", f"{name} hub", tuple(hub.tolist())),
+            declared("frame", name, tuple(turn.tolist())),
+            declared("body_point", f"{name} arm", "C", "chassis", f"{name} hub"),
+            declared("hinge", f"{name} axle", "chassis", name, axis=axle),
+            declared("body", f"{name} rim", f"{name} hub", name, mass=15.0, inertia=(0.6, 1.0, 0.6)),
             *_wheel(draw, f"{name} hub", name, turn, road, calm),
         ]
     ahead, aside = draw(number(4, 12)), draw(number(-1, 1))
-    speeds = {f"{z}.x": ahead for z in ("C", "front hub", "rear hub")} | {"C.y": aside}
+    speeds = {f"{point}.x": ahead for point in ("C", "front hub", "rear hub")} | {"C.y": aside}
     speeds |= {"front axle.angle": draw(number(10, 40)), "rear axle.angle": draw(number(10, 40))}
-    return Case("carts", (0.0, 0.0, -9.81), tuple(calls), draw(vectors(3, 0.5)), 0.01, speeds=speeds)
+    return Case("carts", (0.0, 0.0, -9.81), tuple(parts), draw(vectors(3, 0.5)), 0.01, speeds=speeds)
 
 
 TYRES = {

@@ -3,7 +3,7 @@
 import numpy as np
 from hypothesis import strategies as st
 
-from campaign.calls import Case
+from campaign.case import Case
 from campaign.grammar import Sketch
 from campaign.numbers import Draw, masses, number
 
@@ -11,7 +11,7 @@ UP = np.array([0.0, 0.0, 1.0])
 
 
 def _rounded(x: object) -> tuple[float, ...]:
-    return tuple(float(z) for z in np.asarray(x))
+    return tuple(float(number) for number in np.asarray(x))
 
 
 def _wheel(draw: Draw, s: Sketch, name: str, crown: bool) -> tuple[str, str]:

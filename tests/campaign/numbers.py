@@ -34,8 +34,8 @@ def inertias() -> st.SearchStrategy[tuple[float, ...]]:
     return st.tuples(number(0.02, 0.2), number(0.02, 0.2), number(0.1, 0.9), number(-0.3, 0.3)).map(_tensor)
 
 
-def _tensor(z: tuple[float, float, float, float]) -> tuple[float, ...]:
-    a, b, share, turn = z
+def _tensor(drawn: tuple[float, float, float, float]) -> tuple[float, ...]:
+    a, b, share, turn = drawn
     J = np.diag([a, b, abs(a - b) + share * (a + b - abs(a - b))])
     c, s = np.cos(turn), np.sin(turn)
     R = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]]) @ np.array([[1, 0, 0], [0, c, -s], [0, s, c]])
@@ -47,18 +47,20 @@ def _tensor(z: tuple[float, float, float, float]) -> tuple[float, ...]:
 def directions() -> st.SearchStrategy[tuple[float, float, float]]:
     """Directions in space, some along the axes."""
     part = number(-1, 1, 0.1)
-    return st.tuples(part, part, part).map(lambda z: z if np.linalg.norm(z) > 0.3 else (0.0, 0.0, 1.0))
+    return st.tuples(part, part, part).map(
+        lambda direction: direction if np.linalg.norm(direction) > 0.3 else (0.0, 0.0, 1.0)
+    )
 
 
 def links(size: int) -> st.SearchStrategy[tuple[float, ...]]:
     """The vector from one joint to the next, between 0.2 and 1 m."""
     return st.tuples(number(0.2, 1.0), number(-3, 3, 0.1), number(-1.4, 1.4, 0.1)).map(
-        lambda z: _arm(z, size)
+        lambda drawn: _arm(drawn, size)
     )
 
 
-def _arm(z: tuple[float, float, float], size: int) -> tuple[float, ...]:
-    l, turn, rise = z
+def _arm(drawn: tuple[float, float, float], size: int) -> tuple[float, ...]:
+    l, turn, rise = drawn
     if size == 2:
         arm = l * np.array([np.cos(turn), np.sin(turn)])
     else:
@@ -72,8 +74,8 @@ def orientations() -> st.SearchStrategy[tuple[float, ...]]:
     return st.one_of(st.just((1.0, 0.0, 0.0, 0.0)), turned)
 
 
-def _quaternion(z: tuple[tuple[float, float, float], float]) -> tuple[float, ...]:
-    axis, turn = np.array(z[0]) / np.linalg.norm(z[0]), z[1]
+def _quaternion(drawn: tuple[tuple[float, float, float], float]) -> tuple[float, ...]:
+    axis, turn = np.array(drawn[0]) / np.linalg.norm(drawn[0]), drawn[1]
     return tuple(float(v) for v in (np.cos(turn / 2), *(np.sin(turn / 2) * axis)))
 
 

@@ -11,7 +11,7 @@ from functools import cached_property
 import numpy as np
 
 from campaign.algebra import dot
-from campaign.calls import Node
+from campaign.case import Node
 from campaign.twin import Twin
 from flexel.base.arrays import Array
 
@@ -99,24 +99,26 @@ class Oracle:
     """
 
     def __init__(self, nodes: Mapping[str, Node], twins: Iterable[Twin]) -> None:
-        norms = [Norms(z.name) for z in nodes.values() if z.kind == "frame" and not np.all(z.fixed)]
+        norms = [
+            Norms(node.name) for node in nodes.values() if node.kind == "frame" and not np.all(node.fixed)
+        ]
         self.nodes, self.twins = nodes, [*twins, *norms]
-        sizes = np.cumsum([0, *(z.drawn.size for z in nodes.values())])
+        sizes = np.cumsum([0, *(node.drawn.size for node in nodes.values())])
         for twin in self.twins:
             assert len(set(twin.nodes)) == len(twin.nodes), f"a node of {type(twin).__name__} is named twice"
         self._rows = {name: np.arange(*sizes[i : i + 2]) for i, name in enumerate(nodes)}
-        self.names = tuple(name for z in nodes.values() for name in z.names)
-        held = np.concatenate([z.fixed for z in nodes.values()])
-        self.drawn = np.concatenate([z.drawn for z in nodes.values()])
+        self.names = tuple(name for node in nodes.values() for name in node.names)
+        held = np.concatenate([node.fixed for node in nodes.values()])
+        self.drawn = np.concatenate([node.drawn for node in nodes.values()])
         self.free = np.flatnonzero(~held)
-        points = np.concatenate([np.full(z.drawn.size, z.kind == "point") for z in nodes.values()])
+        points = np.concatenate([np.full(node.drawn.size, node.kind == "point") for node in nodes.values()])
         self._grounded = np.flatnonzero(held & points)
-        self.states = tuple(name for z in self.twins for name in z.states)
+        self.states = tuple(name for twin in self.twins for name in twin.states)
 
     @cached_property
     def conserves(self) -> bool:
         """Whether energy is conserved."""
-        return all(z.conserves for z in self.twins)
+        return all(twin.conserves for twin in self.twins)
 
     def rows(self, twin: Twin) -> Array:
         """Where the coordinates of a twin are."""
@@ -172,8 +174,8 @@ class Oracle:
 
     def energy(self, x: Array, v: Array) -> float:
         """Kinetic and potential energy [J]."""
-        each = ((z, self.rows(z)) for z in self.twins)
-        return float(sum(float(z.kinetic(x[i], v[i]) + z.potential(x[i])) for z, i in each))
+        each = ((twin, self.rows(twin)) for twin in self.twins)
+        return float(sum(float(twin.kinetic(x[i], v[i]) + twin.potential(x[i])) for twin, i in each))
 
     def rates(self, x: Array, v: Array, z: Mapping[str, float], t: float) -> dict[str, float]:
         """Rates of internal states by name."""

@@ -1,17 +1,24 @@
-"""From the calls of a case to its twins: what each call means, in the independent description.
+"""From the parts of a case to its twins: what each part means, in the independent description.
 
-A call adds twins and measures.  A measure is a deformation as a function of coordinates; it is a constraint where it
+A part adds twins and measures.  A measure is a deformation as a function of coordinates; it is a constraint where it
 is rigid, has a spring or a damper where one acts on it, and may be prescribed.
 """
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import MISSING, dataclass, field, fields
+from typing import Any
 
 import numpy as np
 
-from campaign.calls import Call, Case, Node, drawn_nodes
+from campaign.case import Case, Node, drawn_nodes
+from campaign.known_lines import KnownLine
 from campaign.twin import Twin
 from flexel.base.arrays import Array
+from flexel.model.part import Part, kind_of
+from flexel.parts.cables import Slope
+from flexel.parts.nodes import Angle, Frame, Point
+from flexel.parts.roles import Fix, Independent, Initial, Kinematic
+from flexel.parts.written import arguments_of
 
 
 @dataclass
@@ -26,7 +33,7 @@ class Measure:
 
 @dataclass
 class Drawing:
-    """What the calls have made so far.
+    """What the parts have made so far.
 
     Attributes
     ----------
@@ -38,6 +45,8 @@ class Drawing:
         By the name of the deformation.
     slips : dict of str to Measure
         By the name of the slip; value(x) gives its row (n, ...).
+    lines : dict of str to KnownLine
+        Ropes by name.
     """
 
     case: Case
@@ -45,6 +54,7 @@ class Drawing:
     twins: list[Twin] = field(default_factory=list)
     measures: dict[str, Measure] = field(default_factory=dict)
     slips: dict[str, Measure] = field(default_factory=dict)
+    lines: dict[str, KnownLine] = field(default_factory=dict)
 
     @property
     def gravity(self) -> Array:
@@ -79,33 +89,40 @@ class Drawing:
             (self.slips[name] if name in self.slips else self.measured(name)).rigid = False
 
 
-Handler = Callable[[Drawing, Call], None]
-HANDLERS: dict[str, Handler] = {}
-OPTIONS: dict[str, set[str]] = {}
+Handler = Callable[[Drawing, Any], None]
+HANDLERS: dict[type[Part[Any]], Handler] = {}
+OPTIONS: dict[type[Part[Any]], set[str]] = {}
 
 
-def handler(*methods: str, options: str = "") -> Callable[[Handler], Handler]:
-    """Register what the calls of these methods mean; those with other options than named are an error."""
+def handler(*kinds: type[Part[Any]], options: str = "") -> Callable[[Handler], Handler]:
+    """Register what parts of these kinds mean; those with other options than named are an error."""
 
     def register(function: Handler) -> Handler:
-        HANDLERS.update(dict.fromkeys(methods, function))
-        OPTIONS.update(dict.fromkeys(methods, set(options.split())))
+        HANDLERS.update(dict.fromkeys(kinds, function))
+        OPTIONS.update(dict.fromkeys(kinds, set(options.split())))
         return function
 
     return register
 
 
+def options_of(part: Part[Any]) -> dict[str, Any]:
+    """The fields of a part that differ from their defaults, without those that have none, and without empty ones."""
+    optional = {item.name for item in fields(part) if item.default is not MISSING}
+    return {name: value for name, value in arguments_of(part).items() if name in optional and value != {}}
+
+
 @handler(
-    "point",
-    "frame",
-    "angle",
-    "fix",
-    "independent",
-    "kinematic",
-    "initial",
-    options="fixed position value orientation",
+    Point,
+    Frame,
+    Angle,
+    Slope,
+    Fix,
+    Independent,
+    Kinematic,
+    Initial,
+    options="fixed value orientation stretch",
 )
-def _nothing(drawing: Drawing, call: Call) -> None:
+def _nothing(drawing: Drawing, part: Part[Any]) -> None:
     """Nodes are read by `drawn_nodes`; the choice of coordinates changes nothing in the oracle."""
 
 
@@ -135,13 +152,13 @@ def twins_of(case: Case) -> list[Twin]:
     Raises
     ------
     KeyError
-        If no meaning of a call, or of one of its options, is registered.
+        If no meaning of a part, or of one of its options, is registered.
     """
     drawing = Drawing(case, drawn_nodes(case))
-    for call in case.calls:
-        if unknown := set(call.options) - OPTIONS[call.method]:
-            raise KeyError(f"the twin of m.{call.method} has no {', '.join(sorted(unknown))}")
-        HANDLERS[call.method](drawing, call)
-    rigid = [Rigid(z) for z in drawing.measures.values() if z.rigid]
-    rolling = [Rolling(z) for z in drawing.slips.values() if z.rigid]
+    for part in case.parts:
+        if unknown := options_of(part).keys() - OPTIONS[type(part)]:
+            raise KeyError(f"the twin of a {kind_of(type(part))} has no {', '.join(sorted(unknown))}")
+        HANDLERS[type(part)](drawing, part)
+    rigid = [Rigid(measure) for measure in drawing.measures.values() if measure.rigid]
+    rolling = [Rolling(slip) for slip in drawing.slips.values() if slip.rigid]
     return [*drawing.twins, *rigid, *rolling]

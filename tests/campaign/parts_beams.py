@@ -1,34 +1,37 @@
-"""What the calls of flexible and three-node beams mean."""
+"""What flexible and three-node beams mean."""
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 
 from campaign.algebra import conjugate, rotated
 from campaign.beam_twins import Beam, PlanarBeam
-from campaign.calls import Call
 from campaign.oracle import STEP
-from campaign.parts import Drawing, handler
+from campaign.parts import Drawing, handler, options_of
 from campaign.parts_bodies import Bar, Rotor, held_in_body
 from campaign.parts_forces import function
 from campaign.twin import Twin
 from flexel.base.arrays import Array
+from flexel.parts import beams
+from flexel.parts.loads import DistributedLoad
+from flexel.parts.springs import MassDamping
 
 BEAM = (
-    "rigid direction EA GJ EIy EIz GAy GAz initial_strain initial_curvature damping mass_per_length "
+    "frame_q rigid direction EA GJ EIy EIz GAy GAz initial_strain initial_curvature damping mass_per_length "
     "inertia_per_length second_order"
 )
 
 
-@handler("beam", options=BEAM)
-def _beam(drawing: Drawing, call: Call) -> None:
-    name, *nodes = call.args
-    if len(nodes) == 3:
-        _link(drawing, call)
+@handler(beams.Beam, options=BEAM)
+def _beam(drawing: Drawing, part: beams.Beam) -> None:
+    if part.frame_q is None:
+        _link(drawing, part)
         return
-    drawn = [drawing.x(z) for z in nodes]
+    name, *nodes = map(str, (part.name, part.p, part.frame_p, part.q, part.frame_q))
+    drawn = [drawing.x(node) for node in nodes]
     kind = PlanarBeam if len(drawing.gravity) == 2 else Beam
-    given = {key: z for key, z in call.options.items() if key != "rigid"}
+    given = {key: value for key, value in options_of(part).items() if key not in ("rigid", "frame_q")}
     twin = kind(name, nodes, drawn, drawing.gravity, **given)
     drawing.twins.append(twin)
     for i, mode in enumerate(twin.modes):
@@ -36,20 +39,20 @@ def _beam(drawing: Drawing, call: Call) -> None:
         drawing.measure(f"{name}.{mode}", twin.nodes, lambda x, i=i: twin.deformations(x)[i], held)
 
 
-def _link(drawing: Drawing, call: Call) -> None:
+def _link(drawing: Drawing, part: beams.Beam) -> None:
     """The rigid beam with one frame: its axis is a bar, its sections turn with the frame."""
-    name, p, frame, q = call.args
+    name, p, frame, q = map(str, (part.name, part.p, part.frame_p, part.q))
     held_in_body(drawing, name, p, frame, q)
     d = drawing.x(q) - drawing.x(p)
     l0 = float(np.linalg.norm(d))
-    drawing.twins.append(Bar((p, q), call.options.get("mass_per_length", 0.0) * l0, drawing.gravity))
-    j = call.options.get("inertia_per_length")
+    drawing.twins.append(Bar((p, q), part.mass_per_length * l0, drawing.gravity))
+    j: Any = part.inertia_per_length
     if j is None:
         return
     if len(drawing.gravity) == 2:
         drawing.twins.append(Rotor(frame, np.array([[j * l0]])))
         return
-    hint = np.array(call.options["direction"], float)
+    hint = np.array(part.direction, float)
     ex = d / l0
     ey = hint - (hint @ ex) * ex
     ey /= np.linalg.norm(ey)
@@ -57,12 +60,12 @@ def _link(drawing: Drawing, call: Call) -> None:
     drawing.twins.append(Rotor(frame, l0 * axes.T @ np.diag(j) @ axes))
 
 
-@handler("distributed_load")
-def _distributed_load(drawing: Drawing, call: Call) -> None:
-    name, value = call.args
-    parts: list[Callable[[float], float]] = [function(z) for z in value]
-    beam = next(z for z in drawing.twins if isinstance(z, Beam) and z.name == name)
-    beam.loads.append(lambda t: np.array([z(t) for z in parts]))
+@handler(DistributedLoad)
+def _distributed_load(drawing: Drawing, part: DistributedLoad) -> None:
+    given: Any = part.value
+    values: list[Callable[[float], float]] = [function(component) for component in given]
+    beam = next(twin for twin in drawing.twins if isinstance(twin, Beam) and twin.name == part.beam)
+    beam.loads.append(lambda t: np.array([value(t) for value in values]))
     beam.conserves = False
 
 
@@ -82,8 +85,7 @@ class Slowed(Twin):
         )
 
 
-@handler("mass_damping")
-def _mass_damping(drawing: Drawing, call: Call) -> None:
-    name, rate = call.args
-    beam = next(z for z in drawing.twins if isinstance(z, Beam) and z.name == name)
-    drawing.twins.append(Slowed(beam, rate))
+@handler(MassDamping)
+def _mass_damping(drawing: Drawing, part: MassDamping) -> None:
+    beam = next(twin for twin in drawing.twins if isinstance(twin, Beam) and twin.name == part.element)
+    drawing.twins.append(Slowed(beam, part.rate))

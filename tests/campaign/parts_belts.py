@@ -3,17 +3,18 @@
 import numpy as np
 
 from campaign.algebra import dot, turned
-from campaign.calls import Call, Case
-from campaign.changes import Change, changer, options
+from campaign.case import Case
+from campaign.changes import Change, changer, having
 from campaign.parts import Drawing, handler
 from campaign.parts_forces import Spring
 from flexel.base.arrays import Array
+from flexel.parts.couplings import PlanarBelt
 
 
-@handler("planar_belt", options="radius_p radius_q stiffness damping")
-def _belt(drawing: Drawing, call: Call) -> None:
-    name, *nodes = call.args
-    a, b = call.options["radius_p"], call.options["radius_q"]
+@handler(PlanarBelt, options="stiffness damping")
+def _belt(drawing: Drawing, part: PlanarBelt) -> None:
+    name, *nodes = map(str, (part.name, part.p, part.angle_p, part.q, part.angle_q))
+    a, b = part.radius_p, part.radius_q
     drawn = drawing.x(*nodes)
     d0 = drawn[3:5] - drawn[:2]
     heading = float(np.arctan2(d0[1], d0[0]))
@@ -26,19 +27,17 @@ def _belt(drawing: Drawing, call: Call) -> None:
         return straight + a * (x[2] - drawn[2] - lean) - b * (x[5] - drawn[5] - lean)
 
     start = float(length(drawn))
-    k = call.options.get("stiffness")
+    k = part.stiffness
     drawing.measure(f"{name}.elongation", tuple(nodes), lambda x: length(x) - start, k is None)
     if k is not None:
-        damping = call.options.get("damping", 0.0)
-        drawing.twins.append(Spring(drawing.measures[f"{name}.elongation"], k, damping, 0.0, 0.0))
+        drawing.twins.append(Spring(drawing.measures[f"{name}.elongation"], k, part.damping, 0.0, 0.0))
 
 
-@changer("planar_belt")
-def _changed(change: Change, call: Call, case: Case) -> Call:
-    z = call.options
-    new = {key: change.sign * change.size("L", z[key]) for key in ("radius_p", "radius_q")}
-    stiffness, damping = (change.size(u, z.get(key) or 0.0) for key, u in UNITS.items())
-    return options(call, **new, stiffness=stiffness, damping=damping)
+@changer(PlanarBelt)
+def _changed(change: Change, part: PlanarBelt, case: Case) -> PlanarBelt:
+    radii = {key: change.sign * change.size("L", getattr(part, key)) for key in ("radius_p", "radius_q")}
+    stiffness, damping = (change.size(u, getattr(part, key) or 0.0) for key, u in UNITS.items())
+    return having(part, **radii, stiffness=stiffness, damping=damping)
 
 
 UNITS = {"stiffness": "M T-2", "damping": "M T-1"}

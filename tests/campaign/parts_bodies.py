@@ -5,10 +5,10 @@ from typing import Any
 import numpy as np
 
 from campaign.algebra import body_rate, dot, rotated, rotated_rate, turned
-from campaign.calls import Call
 from campaign.parts import Drawing, handler
 from campaign.twin import Twin
 from flexel.base.arrays import Array
+from flexel.parts import bodies, couplings, joints
 
 
 class PointMass(Twin):
@@ -90,25 +90,22 @@ def tensor(given: Any) -> Array:
     return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
 
 
-@handler("point_mass")
-def _point_mass(drawing: Drawing, call: Call) -> None:
-    _, node, mass = call.args
-    drawing.twins.append(PointMass(node, mass, drawing.gravity))
+@handler(bodies.PointMass)
+def _point_mass(drawing: Drawing, part: bodies.PointMass) -> None:
+    drawing.twins.append(PointMass(str(part.point), part.mass, drawing.gravity))
 
 
-@handler("rotary_inertia")
-def _rotary_inertia(drawing: Drawing, call: Call) -> None:
-    _, node, inertia = call.args
-    drawing.twins.append(Rotor(node, tensor(inertia)))
+@handler(couplings.RotaryInertia)
+def _rotary_inertia(drawing: Drawing, part: couplings.RotaryInertia) -> None:
+    drawing.twins.append(Rotor(str(part.frame), tensor(part.inertia)))
 
 
-@handler("body", options="mass inertia offset")
-def _body(drawing: Drawing, call: Call) -> None:
-    _, *nodes = call.args
-    J, size = tensor(call.options["inertia"]), len(drawing.gravity)
-    offset = np.array(call.options.get("offset", (0.0,) * size))
-    mass, g = call.options["mass"], drawing.gravity
-    pair = (nodes[0], nodes[1])
+@handler(bodies.Body, options="offset")
+def _body(drawing: Drawing, part: bodies.Body) -> None:
+    J, size = tensor(part.inertia), len(drawing.gravity)
+    offset = np.zeros(size) if part.offset is None else np.array(part.offset)
+    mass, g = part.mass, drawing.gravity
+    pair = (str(part.point), str(part.frame))
     new = PlanarBody(pair, mass, J[0, 0], offset, g) if size == 2 else Body(pair, mass, J, offset, g)
     drawing.twins.append(new)
 
@@ -131,6 +128,6 @@ def _back(lam: Array) -> Array:
     return np.array([lam[0], *-lam[1:]])
 
 
-@handler("body_point")
-def _body_point(drawing: Drawing, call: Call) -> None:
-    held_in_body(drawing, *call.args)
+@handler(joints.BodyPoint)
+def _body_point(drawing: Drawing, part: joints.BodyPoint) -> None:
+    held_in_body(drawing, part.name, str(part.p), str(part.frame), str(part.q))

@@ -4,23 +4,25 @@ from typing import Any
 
 import numpy as np
 
-from campaign.calls import Call, Made
+import flexel as fx
 from campaign.oracle import jacobian
 from campaign.parts import Drawing, Measure, handler
 from campaign.twin import Twin
 from flexel.base.arrays import Array
+from flexel.parts import springs
+from flexel.parts.loads import LoadPart
+from flexel.parts.roles import Prescribe, Release
 
 
 def function(value: Any) -> Any:
-    """A function of time u(t), analytic, from a number or what makes flexel's."""
-    if not isinstance(value, Made):
-        return lambda t: value + 0 * t
-    if value.name == "Harmonic":
-        amplitude, omega, phase, offset = (*value.args, 0.0, 0.0)[:4]
-        return lambda t: offset + amplitude * np.sin(omega * t + phase)
-    if value.name == "Polynomial":
-        return lambda t: sum(c * t**i for i, c in enumerate(value.args[0])) + 0 * t
-    raise KeyError(f"no function of time {value.name}")
+    """A function of time u(t), analytic, from a number or flexel's."""
+    if isinstance(value, fx.Harmonic):
+        return lambda t: value.offset + value.amplitude * np.sin(value.omega * t + value.phase)
+    if isinstance(value, fx.Polynomial):
+        return lambda t: sum(c * t**i for i, c in enumerate(value.coefficients)) + 0 * t
+    if callable(value):
+        raise KeyError(f"no function of time {value}")
+    return lambda t: value + 0 * t
 
 
 class Spring(Twin):
@@ -81,45 +83,43 @@ class Prescribed(Twin):
         return np.array([self.start + self.value(x) - self.function(t)])
 
 
-@handler("spring", options="stiffness damping free_length preload")
-def _spring(drawing: Drawing, call: Call) -> None:
-    name, *numbers = call.args
-    k = numbers[0] if numbers else call.options.get("stiffness") or 0.0
-    c = numbers[1] if len(numbers) > 1 else call.options.get("damping") or 0.0
+@handler(springs.Spring, options="stiffness damping free_length preload")
+def _spring(drawing: Drawing, part: springs.Spring) -> None:
+    name, numbers = str(part.on), (part.stiffness, part.damping, part.free_length, part.preload)
+    k, c, free, preload = (float(value or 0.0) for value in numbers)
     if name in drawing.slips:
         drawing.free(name)
         drawing.twins.append(SlipDamper(drawing.slips[name], c))
         return
     measure = drawing.measured(name)
     drawing.free(name)
-    free, preload = call.options.get("free_length") or 0.0, call.options.get("preload") or 0.0
     if free and name.endswith(".elongation"):  # given as the length of the bar
-        free -= float(np.linalg.norm(np.subtract(*(drawing.x(z) for z in measure.nodes))))
+        free -= float(np.linalg.norm(np.subtract(*(drawing.x(node) for node in measure.nodes))))
     drawing.twins.append(Spring(measure, k, c, free, preload))
 
 
-@handler("release")
-def _release(drawing: Drawing, call: Call) -> None:
-    drawing.free(*call.args)
+@handler(Release)
+def _release(drawing: Drawing, part: Release) -> None:
+    drawing.free(*part.names)
 
 
-@handler("load")
-def _load(drawing: Drawing, call: Call) -> None:
-    target, value = call.args
+@handler(LoadPart)
+def _load(drawing: Drawing, part: LoadPart) -> None:
+    target, value = str(part.target), part.value
     if target not in drawing.nodes:
         drawing.twins.append(Load(drawing.measured(target), value))
         return
-    for name, part in zip(drawing.nodes[target].names, value, strict=True):  # a point
-        drawing.twins.append(Load(drawing.measured(name), part))
+    for name, component in zip(drawing.nodes[target].names, value, strict=True):  # a point
+        drawing.twins.append(Load(drawing.measured(name), component))
 
 
-@handler("prescribe")
-def _prescribe(drawing: Drawing, call: Call) -> None:
-    name, value = call.args
+@handler(Prescribe)
+def _prescribe(drawing: Drawing, part: Prescribe) -> None:
+    name = part.name
     measure = drawing.measured(name)
     drawing.free(name)
     node, _, _ = name.rpartition(".")
     start = 0.0
     if node in drawing.nodes:  # a coordinate is prescribed itself, not how far it is from where it was drawn
         start = float(drawing.nodes[node].drawn[drawing.nodes[node].names.index(name)])
-    drawing.twins.append(Prescribed(measure, value, start))
+    drawing.twins.append(Prescribed(measure, part.motion, start))

@@ -12,17 +12,19 @@ from campaign.algebra import (
     rotated,
     turned,
 )
-from campaign.calls import Call
 from campaign.parts import Drawing, Measure, handler
 from campaign.parts_bodies import Bar, held_in_body
 from flexel.base.arrays import Array
+from flexel.parts.couplings import PlanarGear
+from flexel.parts.joints import Bearing, Hinge, Truss
+from flexel.parts.relations import Relation
 
 X = np.array([1.0, 0.0, 0.0])
 
 
-@handler("truss", options="mass_per_length")
-def _truss(drawing: Drawing, call: Call) -> None:
-    name, p, q = call.args
+@handler(Truss, options="mass_per_length")
+def _truss(drawing: Drawing, part: Truss) -> None:
+    name, p, q = part.name, str(part.p), str(part.q)
     length = float(np.linalg.norm(drawing.x(q) - drawing.x(p)))
 
     def elongation(x: Array) -> Array:
@@ -30,7 +32,7 @@ def _truss(drawing: Drawing, call: Call) -> None:
         return norm(b - a) - length
 
     drawing.measure(f"{name}.elongation", (p, q), elongation, True)
-    if mass := call.options.get("mass_per_length", 0.0) * length:
+    if mass := part.mass_per_length * length:
         drawing.twins.append(Bar((p, q), mass, drawing.gravity))
 
 
@@ -51,7 +53,7 @@ def hinged(drawing: Drawing, name: str, p: str, q: str, axis: Array) -> None:
     """The angle between two frames about an axis (free), and the two conditions that hold it."""
     turn = aligned(axis)
     tp, tq = _in_frame(drawing, p, turn), _in_frame(drawing, q, turn)
-    first, second = (rotated(conjugate(turn), z) for z in across(axis))
+    first, second = (rotated(conjugate(turn), direction) for direction in across(axis))
 
     def angle(x: Array) -> Array:
         c = product(conjugate(_by(x[:4], tp)), _by(x[4:], tq))
@@ -70,25 +72,25 @@ def _by(lam: Array, turn: Array) -> Array:
     return product(lam, turn.reshape(4, *(1,) * (np.ndim(lam) - 1)))
 
 
-@handler("hinge", options="axis")
-def _hinge(drawing: Drawing, call: Call) -> None:
-    name, p, q = call.args
+@handler(Hinge, options="axis")
+def _hinge(drawing: Drawing, part: Hinge) -> None:
+    name, p, q = part.name, str(part.p), str(part.q)
     if len(drawing.gravity) == 2:
         drawn = drawing.x(p, q)
         drawing.measure(f"{name}.angle", (p, q), lambda x: x[1] - x[0] - (drawn[1] - drawn[0]), False)
     else:
-        hinged(drawing, name, p, q, np.array(call.options["axis"]))
+        hinged(drawing, name, p, q, np.array(part.axis))
 
 
-@handler("bearing", options="axis")
-def _bearing(drawing: Drawing, call: Call) -> None:
-    name, p, rp, q, rq = call.args
+@handler(Bearing, options="axis")
+def _bearing(drawing: Drawing, part: Bearing) -> None:
+    name, p, rp, q, rq = part.name, *map(str, (part.p, part.rp, part.q, part.rq))
     if len(drawing.gravity) == 2:
         held_in_body(drawing, name, p, rp, q)
         drawn = drawing.x(rp, rq)
         drawing.measure(f"{name}.angle", (rp, rq), lambda x: x[1] - x[0] - (drawn[1] - drawn[0]), False)
         return
-    axis = np.array(call.options["axis"], float)
+    axis = np.array(part.axis, float)
     hinged(drawing, name, rp, rq, axis)
     sides = zip(("axial", "#3", "#4"), (axis / np.linalg.norm(axis), *across(axis)), strict=True)
     for what, side in sides:
@@ -101,11 +103,10 @@ def _bearing(drawing: Drawing, call: Call) -> None:
         drawing.measure(f"{name}.{what}", (p, rp, q), distance, True)
 
 
-@handler("planar_gear", options="radius_p radius_q")
-def _gear(drawing: Drawing, call: Call) -> None:
-    name, p, angle_p, q, angle_q = call.args
-    a, b = call.options["radius_p"], call.options["radius_q"]
-    nodes = (p, angle_p, q, angle_q)
+@handler(PlanarGear)
+def _gear(drawing: Drawing, part: PlanarGear) -> None:
+    a, b = part.radius_p, part.radius_q
+    nodes = (str(part.p), str(part.angle_p), str(part.q), str(part.angle_q))
     drawn = drawing.x(*nodes)
     d0 = drawn[3:5] - drawn[:2]
 
@@ -115,17 +116,17 @@ def _gear(drawing: Drawing, call: Call) -> None:
         line = np.arctan(d[1] / d[0])
         return a * (x[2] - drawn[2] - line) + b * (x[5] - drawn[5] - line)
 
-    drawing.measure(f"{name}.mesh", nodes, slip, True)
+    drawing.measure(f"{part.name}.mesh", nodes, slip, True)
 
 
-@handler("relation")
-def _relation(drawing: Drawing, call: Call) -> None:
-    name, terms = call.args
-    found = [(drawing.measured(z), c) for z, c in terms.items()]
-    nodes = tuple(dict.fromkeys(n for z, _ in found for n in z.nodes))
+@handler(Relation)
+def _relation(drawing: Drawing, part: Relation) -> None:
+    name, terms = part.name, part.terms
+    found = [(drawing.measured(term), c) for term, c in terms.items()]
+    nodes = tuple(dict.fromkeys(n for measure, _ in found for n in measure.nodes))
     ends = np.cumsum([drawing.x(n).size for n in nodes])
     rows = {n: np.arange(end - drawing.x(n).size, end) for n, end in zip(nodes, ends, strict=True)}
-    parts = [(z.value, c, np.concatenate([rows[n] for n in z.nodes])) for z, c in found]
+    parts = [(measure.value, c, np.concatenate([rows[n] for n in measure.nodes])) for measure, c in found]
     drawn = drawing.x(*nodes)
 
     def total(x: Array) -> Array:

@@ -1,30 +1,21 @@
-"""What the calls of cables, of surfaces and of their contact mean."""
+"""What cables, surfaces and of their contact mean."""
 
 from typing import Any
 
 import numpy as np
 
+import flexel as fx
 from campaign.algebra import across, conjugate, dot, rotated, turned
-from campaign.calls import Call, Made
-from campaign.contact_twins import Body, Gap, RopeContact, circle, cylinder, line, plane, round_groove, vee
-from campaign.parts import Drawing, handler
+from campaign.contact_twins import Body, Gap, RopeContact, circle, cylinder, plane, round_groove, vee
+from campaign.contact_twins import line as straight
+from campaign.known_lines import KnownLine
+from campaign.parts import Drawing, handler, options_of
 from campaign.parts_bodies import held_in_body
 from campaign.rope_twins import Cable
 from campaign.twin import Twin
-from flexel.rope.cable_lines import CableLine
+from flexel.parts import cables, rope_contacts, rope_surfaces
 
 UP = (0.0, 0.0, 1.0)
-
-
-class Line(Made):
-    """The cables of a rope as the argument of its contact: name, elements, undeformed lengths, radius."""
-
-    def __init__(self, name: str, elements: tuple[str, ...], s: tuple[float, ...], radius: float) -> None:
-        super().__init__("rope.cable_lines.CableLine", (name, elements, (), (), s, radius))
-
-    def value(self) -> CableLine:
-        name, elements, points, slopes, s, radius = self.args
-        return CableLine(name, elements, points, slopes, np.array(s), radius)
 
 
 class Surface(Twin):
@@ -44,46 +35,43 @@ def _body(drawing: Drawing, nodes: tuple[str, str], axes: Any) -> Body:
     return Body(nodes, [rotated(conjugate(turn), np.array(e)) for e in axes], rotated)
 
 
-@handler("slope", options="stretch fixed")
-def _slope(drawing: Drawing, call: Call) -> None:
-    """Slopes are read by `drawn_nodes`."""
-
-
-@handler("cable", options="EA EI mass_per_length damping bending_damping")
-def _cable(drawing: Drawing, call: Call) -> None:
-    name, *nodes, length = call.args
-    cable = Cable(name, nodes, length, drawing.gravity, **call.options)
+@handler(cables.Cable, options="length EA EI mass_per_length damping bending_damping")
+def _cable(drawing: Drawing, part: cables.Cable) -> None:
+    name, *nodes = map(str, (part.name, part.p, part.slope_p, part.q, part.slope_q))
+    given = options_of(part)
+    cable = Cable(name, nodes, given.pop("length"), drawing.gravity, **given)
     drawing.twins.append(cable)
     for i, mode in enumerate(cable.elastic.modes):
         drawing.measure(f"{name}.{mode}", cable.nodes, lambda x, i=i: cable.deformations(x)[i], False)
 
 
-@handler("sheave", options="radius axle groove")
-def _sheave(drawing: Drawing, call: Call) -> None:
-    name, point, frame = call.args
-    radius, groove = call.options["radius"], call.options.get("groove")
+@handler(rope_surfaces.Sheave, options="axle groove")
+def _sheave(drawing: Drawing, part: rope_surfaces.Sheave) -> None:
+    name, point, frame = part.name, str(part.point), str(part.frame)
+    radius, groove = part.radius, part.groove
     if len(drawing.gravity) == 2:
         drawing.twins.append(Surface(name, _body(drawing, (point, frame), np.eye(2)), circle(radius)))
         return
-    axle = np.array(call.options.get("axle", UP), float)
+    axle = np.array(part.axle, float)
     axes = (axle / np.linalg.norm(axle), *across(axle))
     if groove is None:
         gaps = cylinder(radius)
-    elif groove.name == "VGroove":
-        gaps = vee(radius, *groove.args)
+    elif isinstance(groove, fx.VGroove):
+        gaps = vee(radius, groove.opening)
     else:
-        gaps = round_groove(radius, *groove.args)
+        assert isinstance(groove, fx.RoundGroove)
+        gaps = round_groove(radius, groove.radius, groove.opening)
     drawing.twins.append(Surface(name, _body(drawing, (point, frame), axes), gaps))
 
 
-@handler("plane", options="normal")
-def _plane(drawing: Drawing, call: Call) -> None:
-    name, point, frame = call.args
-    normal = np.array(call.options["normal"], float)
+@handler(rope_surfaces.Plane, options="normal")
+def _plane(drawing: Drawing, part: rope_surfaces.Plane) -> None:
+    name, point, frame = part.name, str(part.point), str(part.frame)
+    normal = np.array(part.normal, float)
     normal /= np.linalg.norm(normal)
     if len(drawing.gravity) == 2:
         axes: Any = ((normal[1], -normal[0]), normal)
-        drawing.twins.append(Surface(name, _body(drawing, (point, frame), axes), line()))
+        drawing.twins.append(Surface(name, _body(drawing, (point, frame), axes), straight()))
         return
     first = np.eye(3)[0 if abs(normal[0]) < np.cos(np.radians(25)) else 1]
     first -= (first @ normal) * normal
@@ -92,14 +80,18 @@ def _plane(drawing: Drawing, call: Call) -> None:
     drawing.twins.append(Surface(name, _body(drawing, (point, frame), axes), plane()))
 
 
-@handler("rope_contact")
-def _rope_contact(drawing: Drawing, call: Call) -> None:
-    given, surface, law = call.args
-    _, elements, _, _, s, radius = given.args
-    contact = law.value()
-    found = next(z for z in drawing.twins if isinstance(z, Surface) and z.name == surface)
+@handler(KnownLine)
+def _line(drawing: Drawing, part: KnownLine) -> None:
+    drawing.lines[part.name] = part
+
+
+@handler(rope_contacts.RopeContact)
+def _rope_contact(drawing: Drawing, part: rope_contacts.RopeContact) -> None:
+    line, surface, contact = drawing.lines[str(part.cables)], str(part.surface), part.contact
+    elements, s, radius = line.elements, line.s, line.radius
+    found = next(twin for twin in drawing.twins if isinstance(twin, Surface) and twin.name == surface)
     xi, shares = np.polynomial.legendre.leggauss(contact.points)
-    cables = {z.name: z for z in drawing.twins if isinstance(z, Cable)}
+    cables = {twin.name: twin for twin in drawing.twins if isinstance(twin, Cable)}
     for element, l0 in zip(elements, np.diff(s), strict=True):
         names = [f"{element}@{surface}#{j + 1}" for j in range(contact.points)]
         places, weights = (1 + xi) / 2, shares / 2 * l0
@@ -109,9 +101,9 @@ def _rope_contact(drawing: Drawing, call: Call) -> None:
         )
 
 
-@handler("clamp")
-def _clamp(drawing: Drawing, call: Call) -> None:
-    _clamped(drawing, *call.args)
+@handler(cables.Clamp)
+def _clamp(drawing: Drawing, part: cables.Clamp) -> None:
+    _clamped(drawing, part.name, str(part.frame), str(part.slope))
 
 
 def _clamped(drawing: Drawing, name: str, frame: str, slope: str) -> None:
@@ -128,9 +120,8 @@ def _clamped(drawing: Drawing, name: str, frame: str, slope: str) -> None:
         )
 
 
-@handler("anchor")
-def _anchor(drawing: Drawing, call: Call) -> None:
-    name, point, frame, end, *slope = call.args
-    held_in_body(drawing, name, point, frame, end)
-    for z in slope:
-        _clamped(drawing, f"{name} direction", frame, z)
+@handler(cables.Anchor, options="slope")
+def _anchor(drawing: Drawing, part: cables.Anchor) -> None:
+    held_in_body(drawing, part.name, str(part.point), str(part.frame), str(part.end))
+    if part.slope is not None:
+        _clamped(drawing, f"{part.name} direction", str(part.frame), str(part.slope))

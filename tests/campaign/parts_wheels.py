@@ -3,11 +3,10 @@
 import numpy as np
 
 from campaign.algebra import conjugate, cross, dot, norm, rotated
-from campaign.calls import Call
 from campaign.parts import Drawing, handler
 from flexel.base.arrays import Array
-
-UP = (0.0, 0.0, 1.0)
+from flexel.parts.couplings import PlanarWheel
+from flexel.parts.wheels import Wheel
 
 
 def spin_row(lam: Array, w: Array) -> Array:
@@ -62,14 +61,13 @@ class Geometry:
         return cross(self.normal(x), self.heading(x))
 
 
-@handler("wheel", options="radius axle normal height crown")
-def _wheel(drawing: Drawing, call: Call) -> None:
-    name, hub, frame, contact = call.args
-    z = call.options
-    axle = np.array(z["axle"], float) / np.linalg.norm(z["axle"])
-    normal = np.array(z.get("normal", UP), float) / np.linalg.norm(z.get("normal", UP))
+@handler(Wheel, options="normal height crown")
+def _wheel(drawing: Drawing, part: Wheel) -> None:
+    name, hub, frame, contact = map(str, (part.name, part.hub, part.frame, part.contact))
+    axle = np.array(part.axle, float) / np.linalg.norm(part.axle)
+    normal = np.array(part.normal, float) / np.linalg.norm(part.normal)
     in_frame = rotated(conjugate(drawing.x(frame)), axle)
-    wheel = Geometry(in_frame, normal, z.get("height", 0.0), z["radius"], z.get("crown", 0.0))
+    wheel = Geometry(in_frame, normal, part.height, part.radius, part.crown)
     nodes = (hub, frame, contact)
     for condition in (wheel.distance, wheel.plane, wheel.road, wheel.lowest):
         drawing.measure(f"{name}.#{condition.__name__}", nodes, condition, True)
@@ -77,15 +75,15 @@ def _wheel(drawing: Drawing, call: Call) -> None:
     drawing.slip(f"{name}.lateral", nodes, lambda x: wheel.row(x, wheel.sideways(x)), True)
 
 
-@handler("planar_wheel", options="radius direction")
-def _planar_wheel(drawing: Drawing, call: Call) -> None:
-    name, *nodes = call.args
-    x0, y0 = call.options.get("direction", (1.0, 0.0))
+@handler(PlanarWheel, options="direction")
+def _planar_wheel(drawing: Drawing, part: PlanarWheel) -> None:
+    name, *nodes = map(str, (part.name, part.point, part.heading, part.spin))
+    x0, y0 = part.direction
     start = np.arctan2(y0, x0) - drawing.x(nodes[1])[0]
 
     def longitudinal(x: Array) -> Array:
         c, s = np.cos(x[2] + start), np.sin(x[2] + start)
-        return np.array([c, s, 0 * c, 0 * c - call.options["radius"]])
+        return np.array([c, s, 0 * c, 0 * c - part.radius])
 
     def lateral(x: Array) -> Array:
         c, s = np.cos(x[2] + start), np.sin(x[2] + start)

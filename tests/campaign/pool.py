@@ -1,13 +1,12 @@
 """Users' elements and a law with an internal state: defined as a user does, compiled once, and their twins."""
 
-from functools import cache
+from typing import Any
 
 import numpy as np
 import sympy as sp
 
 import flexel as fx
 from campaign.algebra import dot, norm, rotated
-from campaign.calls import Call
 from campaign.parts import Drawing, Measure, handler
 from campaign.parts_bodies import Bar
 from campaign.parts_forces import Load
@@ -27,11 +26,12 @@ from flexel.derive import (
     Slip,
     symbol,
 )
-from flexel.derive.compile import CompiledElement, CompiledLaw
+from flexel.derive.compiled import CompiledElement, CompiledLaw
 from flexel.derive.declare.rotation import combination, triad
+from flexel.parts.elements import ElementPart
+from flexel.parts.laws import LawPart
 
 
-@cache
 def strut() -> CompiledElement:
     """A bar with mass whose measure is half the difference of the squared lengths over its length."""
     p, q = Point("p"), Point("q")
@@ -56,7 +56,6 @@ def strut() -> CompiledElement:
     )
 
 
-@cache
 def cam() -> CompiledElement:
     """A cam in the plane and the tip of its follower."""
     axis, turn, tip = PlanarPoint("c"), PlanarAngle("cam"), PlanarPoint("p")
@@ -76,7 +75,6 @@ def cam() -> CompiledElement:
     )
 
 
-@cache
 def skate() -> CompiledElement:
     """A blade in space: its point does not move along one direction of its frame."""
     p, r = Point("p"), Frame("r")
@@ -92,7 +90,6 @@ def skate() -> CompiledElement:
     )
 
 
-@cache
 def maxwell() -> CompiledLaw:
     """A spring beside a spring and a dashpot in series."""
     e, ed, creep = symbol("e"), symbol("ed"), symbol("creep")
@@ -135,33 +132,30 @@ class Maxwell(Twin):
         return np.array([(self._value(x) - z[0]) / self._lag])
 
 
-@handler("law", options="name k lag")
-def _law(drawing: Drawing, call: Call) -> None:
-    on, _ = call.args
-    measure = drawing.measured(on[0])
-    drawing.free(*on)
-    drawing.twins.append(Maxwell(measure, call.options["name"], call.options["k"], call.options["lag"]))
+@handler(LawPart, options="name parameters")
+def _law(drawing: Drawing, part: LawPart) -> None:
+    (name,) = part.on
+    measure = drawing.measured(name)
+    drawing.free(name)
+    drawing.twins.append(Maxwell(measure, str(part.name), **(part.parameters or {})))
 
 
-@handler("element", options="l0 mass base lift side")
-def _element(drawing: Drawing, call: Call) -> None:
-    name, kind, *nodes = call.args
-    {"strut": _strut, "cam": _cam, "skate": _skate}[kind.name](drawing, call, name, tuple(nodes))
+@handler(ElementPart, options="parameters")
+def _element(drawing: Drawing, part: ElementPart) -> None:
+    assert isinstance(part.kind, CompiledElement)
+    makers = {"campaign_strut": _strut, "campaign_cam": _cam, "campaign_skate": _skate}
+    makers[part.kind.spec.name](drawing, part.name, tuple(map(str, part.nodes)), **(part.parameters or {}))
 
 
-def _strut(drawing: Drawing, call: Call, name: str, nodes: tuple[str, ...]) -> None:
-    l0 = call.options["l0"]
-
+def _strut(drawing: Drawing, name: str, nodes: tuple[str, ...], *, l0: float, mass: float) -> None:
     def stretch(x: Array) -> Array:
         return (dot(x[3:] - x[:3], x[3:] - x[:3]) - l0**2) / (2 * l0)
 
     drawing.measure(f"{name}.stretch", nodes, stretch, True)
-    drawing.twins.append(Bar((nodes[0], nodes[1]), call.options["mass"], drawing.gravity))
+    drawing.twins.append(Bar((nodes[0], nodes[1]), mass, drawing.gravity))
 
 
-def _cam(drawing: Drawing, call: Call, name: str, nodes: tuple[str, ...]) -> None:
-    base, lift = call.options["base"], call.options["lift"]
-
+def _cam(drawing: Drawing, name: str, nodes: tuple[str, ...], *, base: float, lift: float) -> None:
     def gap(x: Array) -> Array:
         d = x[3:] - x[:2]
         along = np.cos(x[2]) * d[0] + np.sin(x[2]) * d[1]
@@ -170,10 +164,8 @@ def _cam(drawing: Drawing, call: Call, name: str, nodes: tuple[str, ...]) -> Non
     drawing.measure(f"{name}.gap", nodes, gap, True)
 
 
-def _skate(drawing: Drawing, call: Call, name: str, nodes: tuple[str, ...]) -> None:
-    side = np.array(call.options["side"])
-
+def _skate(drawing: Drawing, name: str, nodes: tuple[str, ...], *, side: Any) -> None:
     def sideways(x: Array) -> Array:
-        return np.concatenate([rotated(x[3:], side), 0 * x[3:]])
+        return np.concatenate([rotated(x[3:], np.array(side)), 0 * x[3:]])
 
     drawing.slip(f"{name}.sideways", nodes, sideways, True)

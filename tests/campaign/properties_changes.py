@@ -6,7 +6,7 @@ import numpy as np
 
 import flexel as fx
 from campaign.algebra import about
-from campaign.calls import Case
+from campaign.case import Case
 from campaign.changes import Change, changed
 from campaign.space import in_space
 from campaign.trial import Trial, off
@@ -47,7 +47,7 @@ def _internal(trial: Trial, other: Trial, change: Change) -> Array:
     factors: dict[str, float] = {}
     for twin in trial.oracle.twins:
         factors |= dict(zip(twin.states, twin.scaled(change.length, change.mirror), strict=True))
-    return np.array([trial.start[z] * factors[z] for z in other.system.structure.internal])
+    return np.array([trial.start[name] * factors[name] for name in other.system.structure.internal])
 
 
 def _compared(trial: Trial, change: Change) -> float:
@@ -56,12 +56,12 @@ def _compared(trial: Trial, change: Change) -> float:
     state = _mapped(trial, other, change)
     a, b = [], []
     for node in trial.nodes.values():
-        own = np.array([trial.start.acceleration(z) for z in node.names])
+        own = np.array([trial.start.acceleration(name) for name in node.names])
         a.append(change.rates(node, own, 2))
-        b.append(np.array([state.acceleration(z) for z in node.names]))
+        b.append(np.array([state.acceleration(name) for name in node.names]))
     unit = change.time**2
-    lengths = [change.length if z.kind == "point" else 1.0 for z in trial.nodes.values()]
-    a, b = ([z * unit / l for z, l in zip(c, lengths, strict=True)] for c in (a, b))
+    lengths = [change.length if node.kind == "point" else 1.0 for node in trial.nodes.values()]
+    a, b = ([acceleration * unit / l for acceleration, l in zip(c, lengths, strict=True)] for c in (a, b))
     reference = np.concatenate(a)
     return off(np.concatenate(b), reference, max(1.0, float(np.max(np.abs(reference), initial=0.0))))
 
@@ -107,7 +107,7 @@ def planar_is_spatial(trial: Trial) -> float:
     start = trial.start
     for node in trial.nodes.values():
         value, rate = start.position(node.name), start.velocity(node.name)
-        rows = [index[z] for z in other.nodes[node.name].names]
+        rows = [index[name] for name in other.nodes[node.name].names]
         if node.kind != "angle":
             x[rows], v[rows] = [*value, 0.0], [*rate, 0.0]
         else:
@@ -117,6 +117,6 @@ def planar_is_spatial(trial: Trial) -> float:
     a, b = [np.zeros(1)], [np.zeros(1)]
     for node in trial.nodes.values():
         if node.kind == "point":
-            a.append(np.array([*(start.acceleration(z) for z in node.names), 0.0]))
-            b.append(np.array([state.acceleration(z) for z in other.nodes[node.name].names]))
+            a.append(np.array([*(start.acceleration(name) for name in node.names), 0.0]))
+            b.append(np.array([state.acceleration(name) for name in other.nodes[node.name].names]))
     return off(np.concatenate(b), np.concatenate(a), 1.0)

@@ -34,7 +34,7 @@ def other_names(trial: Trial, x: Array, v: Array) -> tuple[str, ...]:
     drawn = trial.oracle.drawn
     Z = free_motions(trial, drawn, 0 * drawn)
     names = [trial.oracle.names[i] for i in trial.oracle.free]
-    rng = np.random.default_rng([round(1e3 * abs(z)) for z in trial.case.rates])
+    rng = np.random.default_rng([round(1e3 * abs(rate)) for rate in trial.case.rates])
     chosen: list[str] = []
     left = Z.copy()
     for i in rng.permutation(len(names)):

@@ -45,7 +45,7 @@ def accelerations(trial: Trial) -> float:
     scale = max(float(np.max(np.abs(a), initial=0.0)), 1.0)
     found = [off(trial.a(trial.start), a, scale)]
     found += [
-        off(np.array(trial.start.rate(z)), np.array(value), 1.0) for z, value in trial.answer.zd.items()
+        off(np.array(trial.start.rate(name)), np.array(value), 1.0) for name, value in trial.answer.zd.items()
     ]
     return max(found)
 
@@ -56,7 +56,7 @@ def reactions(trial: Trial) -> float:
     if not found or trial.answer.inertia < 1e-10:
         raise Inapplicable("no point is fixed, or redundant constraints leave its reaction open")
     reference = np.array(list(found.values()))
-    return off(np.array([trial.start.force(z) for z in found]), reference, 1.0)
+    return off(np.array([trial.start.force(name) for name in found]), reference, 1.0)
 
 
 def energy(trial: Trial) -> float:
@@ -69,11 +69,11 @@ def energy(trial: Trial) -> float:
     return abs(start.energy.total - still.energy.total - E) / max(abs(E), 1e-3)
 
 
-def _rates(system: fx.System, state: fx.State, z: Array) -> Array:
+def _rates(system: fx.System, state: fx.State, values: Array) -> Array:
     """The state's rates (q_d', q_d, q_k, z) as `state_matrix` orders them."""
     nq, nd = system.roles.nq, system.roles.nd
     system.warm(state)
-    y = np.concatenate([z[nd : nd + nq], z[:nd], z[nd + nq :]])
+    y = np.concatenate([values[nd : nd + nq], values[:nd], values[nd + nq :]])
     r = system.rhs(state.t, y)
     return np.concatenate([r[nq : nq + nd], r[:nq], r[nq + nd :]])
 
@@ -93,7 +93,7 @@ def linearization(trial: Trial) -> float:
             continue
         if _apart(own, found[-1]) < 1e-8:
             break
-    errors = [_apart(own, z) for z in found]
+    errors = [_apart(own, matrices) for matrices in found]
     spread = [_apart(a, b) for a, b in zip(found, found[1:], strict=False)]
     if not errors or (min(errors) > SURE and (not spread or min(spread) > min(errors) / 10)):
         raise Inapplicable("the differences do not converge")
@@ -103,7 +103,7 @@ def linearization(trial: Trial) -> float:
 def _differences(system: fx.System, state: fx.State, h: float) -> tuple[Array, ...]:
     """The state matrix and, of a small system, M, C, K."""
     y = np.concatenate([state.qd, state.q, state.z])
-    A = jacobian(lambda z: _rates(system, state, z), y, h)
+    A = jacobian(lambda values: _rates(system, state, values), y, h)
     small = len(system.dynamic) <= MANY and not state.z.size
     return (A, *numerical_matrices(system, state, h)) if small else (A,)
 

@@ -11,6 +11,7 @@ from campaign.algebra import product
 from campaign.changes import Inapplicable
 from campaign.trial import ACCURATE, Trial, off
 from flexel.base.arrays import Array
+from flexel.parts.wheels import Tyre
 
 STEPS = 16  # of the implicit method, at least
 MORE = (1, 4, 16)  # times as many steps, where the motion is fast in other ways
@@ -26,7 +27,10 @@ def energy_kept(trial: Trial) -> float:
     if not trial.oracle.conserves:
         raise Inapplicable("energy is not conserved")
     start, end = trial.start, trial.motion[-1]
-    kinetic = [trial.energy(z) - trial.oracle.energy(trial.x(z), 0 * trial.v(z)) for z in (start, end)]
+    kinetic = [
+        trial.energy(state) - trial.oracle.energy(trial.x(state), 0 * trial.v(state))
+        for state in (start, end)
+    ]
     return abs(trial.energy(end) - trial.energy(start)) / max(*kinetic, 1e-3)
 
 
@@ -52,10 +56,10 @@ def momentum(trial: Trial) -> float:
         raise Inapplicable("the ground reacts")
     start, end = trial.start, trial.motion[-1]
     p = []
-    for z in (start, end):
-        x = trial.x(z)
+    for state in (start, end):
+        x = trial.x(state)
         F = fields(trial, x)
-        p.append(F.T @ trial.oracle.inertia(x) @ trial.v(z))
+        p.append(F.T @ trial.oracle.inertia(x) @ trial.v(state))
         mass = float(F[:, 0] @ trial.oracle.inertia(x) @ F[:, 0])
     weight = mass * np.array(trial.case.gravity) * (end.t - start.t)
     rows = 3 if np.any(weight) else 6
@@ -97,7 +101,7 @@ def implicit(trial: Trial) -> float:
 
 def _lifts(trial: Trial, duration: float) -> bool:
     """Whether a tyre leaves the road or comes down on it; the order of the method holds for smooth forces."""
-    tyres = [f"{z.name}.deflection" for z in trial.case.calls if z.method == "tyre"]
+    tyres = [f"{part.name}.deflection" for part in trial.case.parts if isinstance(part, Tyre)]
     if not tyres:
         return False
     motion = trial.system.simulate(duration, start=trial.start, samples=WATCHED, progress=False, **ACCURATE)

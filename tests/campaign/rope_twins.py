@@ -19,16 +19,16 @@ def ends(x: Array) -> tuple[Array, Array, Array, Array]:
     return x[:size], x[size : 2 * size], x[2 * size : 3 * size], x[3 * size :]
 
 
-def first(x: Array, z: float, l0: float) -> Array:
-    """Slope of the cubic at the fraction z of its length."""
+def first(x: Array, xi: float, l0: float) -> Array:
+    """Slope of the cubic at the fraction xi of its length."""
     p, dp, q, dq = ends(x)
-    return 6 * (z - z**2) / l0 * (q - p) + (1 - 4 * z + 3 * z**2) * dp + (3 * z**2 - 2 * z) * dq
+    return 6 * (xi - xi**2) / l0 * (q - p) + (1 - 4 * xi + 3 * xi**2) * dp + (3 * xi**2 - 2 * xi) * dq
 
 
-def second(x: Array, z: float, l0: float) -> Array:
+def second(x: Array, xi: float, l0: float) -> Array:
     """Its second derivative by the arc length."""
     p, dp, q, dq = ends(x)
-    return ((6 - 12 * z) / l0 * (q - p) + (6 * z - 4) * dp + (6 * z - 2) * dq) / l0
+    return ((6 - 12 * xi) / l0 * (q - p) + (6 * xi - 4) * dp + (6 * xi - 2) * dq) / l0
 
 
 class Cable(Stressed):
@@ -56,7 +56,12 @@ class Cable(Stressed):
         planar = len(gravity) == 2
         bends = [EI * w * l0 for w in SHARES for _ in range(1 if planar else 3)]
         axes = ("",) if planar else ("x", "y", "z")
-        modes = ["strain1", "strain2", "strain3", *(f"curvature{i}{z}" for i in (1, 2, 3) for z in axes)]
+        modes = [
+            "strain1",
+            "strain2",
+            "strain3",
+            *(f"curvature{i}{axis}" for i in (1, 2, 3) for axis in axes),
+        ]
         stretches = [
             EA * l0 * w for w in (1, 1 / 3, 1 / 5)
         ]  # squares of Legendre's polynomials over the length
@@ -67,13 +72,13 @@ class Cable(Stressed):
 
     def deformations(self, x: Array) -> Array:
         """Strains, then curvatures at the Gauss points (6, …) or (12, …)."""
-        slopes = [first(x, z, self.l0) for z in XI]
-        average = sum(w * norm(z) for w, z in zip(SHARES, slopes, strict=True)) - 1
+        slopes = [first(x, xi, self.l0) for xi in XI]
+        average = sum(w * norm(slope) for w, slope in zip(SHARES, slopes, strict=True)) - 1
         _, dp, _, dq = ends(x)
         at_p, at_q = norm(dp) - 1, norm(dq) - 1
         found = [average, (at_q - at_p) / 2, (at_p + at_q) / 2 - average]
-        for z, slope in zip(XI, slopes, strict=True):
-            bend = second(x, z, self.l0)
+        for xi, slope in zip(XI, slopes, strict=True):
+            bend = second(x, xi, self.l0)
             if len(slope) == 2:
                 found.append((slope[0] * bend[1] - slope[1] * bend[0]) / dot(slope, slope))
             else:
@@ -83,7 +88,7 @@ class Cable(Stressed):
     def kinetic(self, x: Array, v: Array) -> Array:  # noqa: ARG002 (the mass matrix is constant)
         p, dp, q, dq = ends(v)
         rates = hermite(p, self.l0 * dp, q, self.l0 * dq)
-        return self.rhoA * self.l0 / 2 * mean([dot(z, z) for z in rates])
+        return self.rhoA * self.l0 / 2 * mean([dot(rate, rate) for rate in rates])
 
     def potential(self, x: Array) -> Array:
         p, dp, q, dq = ends(x)
@@ -99,11 +104,16 @@ class Cable(Stressed):
         return {f"{self.name}.{mode}": value for mode, value in found.items()}
 
 
-def on_arc(x: Array, z: float, l0: float) -> Array:
-    """The point at the fraction z that touches: of the cubic whose slopes are longer where it turns."""
+def on_arc(x: Array, xi: float, l0: float) -> Array:
+    """The point at the fraction xi that touches: of the cubic whose slopes are longer where it turns."""
     p, dp, q, dq = ends(x)
     turn = dq - dp
     D = dot(turn, turn)
     h = 1 + D / 48 + 13 * D**2 / 5760
-    weights = (1 + 2 * z) * (1 - z) ** 2, l0 * z * (1 - z) ** 2, z**2 * (3 - 2 * z), l0 * z**2 * (z - 1)
+    weights = (
+        (1 + 2 * xi) * (1 - xi) ** 2,
+        l0 * xi * (1 - xi) ** 2,
+        xi**2 * (3 - 2 * xi),
+        l0 * xi**2 * (xi - 1),
+    )
     return weights[0] * p + weights[2] * q + h * (weights[1] * dp + weights[3] * dq)

@@ -14,7 +14,7 @@ from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import seed as seeded
 from hypothesis import strategies as st
 
-from campaign.calls import Case
+from campaign.case import Case
 from campaign.families import FAMILIES
 from campaign.verdict import Verdict, judged, tolerances
 
@@ -61,7 +61,7 @@ class Findings:
             self.failures.append({"program": program, "property": name, "error": shown, "message": text})
 
     def as_json(self, seed: int, seconds: float) -> dict[str, Any]:
-        """What `flexel report` and docs/verification.md show."""
+        """What `make report` and docs/verification.md show."""
         rows = [
             {
                 "name": name,
@@ -80,7 +80,7 @@ class Findings:
             "seconds": round(seconds, 1),
             "families": dict(sorted(self.families.items())),
             "properties": rows,
-            "skipped": [{"reason": z, "models": n} for z, n in sorted(self.skipped.items())],
+            "skipped": [{"reason": reason, "models": n} for reason, n in sorted(self.skipped.items())],
             "failures": self.failures,
         }
 
@@ -163,12 +163,15 @@ def table(report: Mapping[str, Any]) -> str:
     lines = [f"{report['models']} models in {report['seconds']:g} s, seed {report['seed']}"]
     lines += [f"  {name}: {n}" for name, n in report["families"].items()]
     lines.append(f"{'property':36s} {'models':>7s} {'largest':>9s} {'median':>9s} {'tolerance':>9s}")
-    for z in report["properties"]:
-        numbers = f"{z['largest']:9.1e} {z['median']:9.1e} {z['tolerance']:9.1e}"
-        lines.append(f"{z['name']:36s} {z['models']:7d} {numbers}")
-    lines += [f"skipped {z['models']:6d}  {z['reason']}" for z in report["skipped"]]
-    for z in report["failures"]:
-        lines += [f"FAILED {z['property']}: {z['error']} {z['message']}", z["program"]]
+    for row in report["properties"]:
+        numbers = f"{row['largest']:9.1e} {row['median']:9.1e} {row['tolerance']:9.1e}"
+        lines.append(f"{row['name']:36s} {row['models']:7d} {numbers}")
+    lines += [f"skipped {row['models']:6d}  {row['reason']}" for row in report["skipped"]]
+    for failure in report["failures"]:
+        lines += [
+            f"FAILED {failure['property']}: {failure['error']} {failure['message']}",
+            failure["program"],
+        ]
     return "\n".join(lines)
 
 

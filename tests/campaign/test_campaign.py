@@ -23,11 +23,12 @@ def check(models: int, seed: int) -> dict[str, Any]:
     return found
 
 
+@pytest.mark.ci
 def test_models_of_a_fixed_seed() -> None:
     """Four of each family; together they show every property."""
     found = check(4 * len(FAMILIES), 15)
     assert found["families"] == dict.fromkeys(sorted(FAMILIES), 4)
-    assert {z["name"] for z in found["properties"]} == {z.name for z in PROPERTIES}
+    assert {entry["name"] for entry in found["properties"]} == {check.name for check in PROPERTIES}
 
 
 @pytest.mark.campaign

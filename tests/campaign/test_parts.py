@@ -5,11 +5,13 @@ from typing import Any
 import numpy as np
 import pytest
 
+import flexel as fx
 from campaign import parts_bodies
 from campaign.algebra import about
-from campaign.calls import Case, Made, call, drawn_nodes
+from campaign.case import Case, declared, drawn_nodes
 from campaign.changes import Change, changed
 from campaign.families import FAMILIES
+from campaign.grammar_ropes import AXLE, FLANKS, HARDER, RADIUS, STIFFNESS, TENSIONS, THICK
 from campaign.oracle import Oracle, along, jacobian
 from campaign.parts import twins_of
 from campaign.run import run
@@ -21,10 +23,10 @@ PENDULUM = Case(
     "pendulum",
     (0.0, -9.81),
     (
-        call("point", "O", (0.0, 0.0), fixed=True),
-        call("point", "P", (LENGTH, 0.0)),
-        call("truss", "rod", "O", "P"),
-        call("point_mass", "m", "P", MASS),
+        declared("point", "O", (0.0, 0.0), fixed=True),
+        declared("point", "P", (LENGTH, 0.0)),
+        declared("truss", "rod", "O", "P"),
+        declared("point_mass", "m", "P", MASS),
     ),
     rates=(1.5,),
 )
@@ -44,16 +46,18 @@ def test_the_oracle_has_the_accelerations_and_the_reaction_of_a_pendulum() -> No
 
 
 def test_the_oracle_counts_redundant_constraints_and_knows_singular_positions() -> None:
-    twice = PENDULUM.with_calls(call("truss", "again", "O", "P"))
+    twice = PENDULUM.having(declared("truss", "again", "O", "P"))
     still = np.zeros(4)
     assert oracle(twice).solve(oracle(twice).drawn, still, {}, 0.0).redundant == 1
     places = {"O": (0.0, 0.0), "A": (1.0, 0.0), "B": (2.0, 1e-7)}
-    calls = [call("point", name, x, **({} if name == "A" else {"fixed": True})) for name, x in places.items()]
+    parts = [
+        declared("point", name, x, **({} if name == "A" else {"fixed": True})) for name, x in places.items()
+    ]
     flat = (
-        *calls,
-        call("truss", "a", "O", "A"),
-        call("truss", "b", "A", "B"),
-        call("point_mass", "m", "A", 1.0),
+        *parts,
+        declared("truss", "a", "O", "A"),
+        declared("truss", "b", "A", "B"),
+        declared("point_mass", "m", "A", 1.0),
     )
     case = Case("flat", (0.0, 0.0), flat)
     assert oracle(case).solve(oracle(case).drawn, np.zeros(6), {}, 0.0).singular
@@ -83,18 +87,16 @@ def test_a_wrong_twin_fails_and_is_shrunk_to_a_short_program(monkeypatch: pytest
     failed = {name for name, _, _ in judged(PENDULUM).failures}
     assert "accelerations" in failed and not failed & {"turned and shifted", "linearization", "mirrored"}
     found = run(20, 1, {"planar truss": FAMILIES["planar truss"]})
-    (failure,) = [z for z in found["failures"] if z["property"] == "accelerations"]
+    (failure,) = [failure for failure in found["failures"] if failure["property"] == "accelerations"]
     assert failure["program"].count("m.point_mass") == 1
 
 
 def test_a_refused_model_fails_unless_it_is_singular() -> None:
-    broken = PENDULUM.with_calls(call("independent", "P.x"))  # the extreme of P.x: the rod is drawn along x
+    broken = PENDULUM.having(declared("independent", "P.x"))  # the extreme of P.x: the rod is drawn along x
     assert [name for name, _, _ in judged(broken).failures] == ["build"]
 
 
-@pytest.mark.parametrize(
-    "case", [PENDULUM.with_calls(call("load", "P", (Made("Harmonic", (3.0, 2.0)), 1.0)))]
-)
+@pytest.mark.parametrize("case", [PENDULUM.having(declared("load", "P", (fx.Harmonic(3.0, 2.0), 1.0)))])
 def test_the_printed_program_makes_the_model(case: Case) -> None:
     names: dict[str, Any] = {}
     exec(case.program(), names)
@@ -109,5 +111,26 @@ def test_a_change_and_its_opposite_leave_a_model_as_it_was() -> None:
     back = Change(turn=tuple((turn * (1, -1, -1, -1)).tolist()), length=0.5, mass=1 / 3, time=2.0)
     again = changed(changed(PENDULUM, there), back)
     np.testing.assert_allclose(again.gravity, PENDULUM.gravity, atol=1e-12)
-    np.testing.assert_allclose(again.calls[1].args[1], (LENGTH, 0.0), atol=1e-12)
-    assert again.calls[3].args[2] == pytest.approx(MASS)
+    np.testing.assert_allclose(again.parts[1].position, (LENGTH, 0.0), atol=1e-12)
+    assert again.parts[3].mass == pytest.approx(MASS)
+
+
+def test_the_softest_contact_carries_the_tightest_rope() -> None:
+    """`Model.rope` refuses a rope that is pressed into a sheave by half the radius."""
+    for exponent in (1.0, 1.5, 2.0):
+        least = min(FLANKS), max(TENSIONS), min(STIFFNESS) * (HARDER if exponent > 1.5 else 1.0)
+        m = fx.Model(gravity=(0, 0, -9.81))
+        m.sheave(
+            "sheave",
+            m.point("C", (0, 0, 0), fixed=True),
+            m.frame("S"),
+            radius=RADIUS,
+            axle=AXLE,
+            groove=fx.VGroove(least[0]),
+        )
+        m.point("A", (-RADIUS, 0, -0.3)), m.point("B", (RADIUS, 0, -0.3))
+        contact = fx.Contact(least[2], exponent=exponent)
+        options = {"contact": contact, "radius": THICK, "tension": least[1]}
+        assert m.rope(
+            "rope", ["A", ("sheave", 1), "B"], 8, EA=200, EI=0.05, mass_per_length=0.3, **options
+        ).contacts

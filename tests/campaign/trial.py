@@ -7,7 +7,7 @@ from typing import Any, TypeVar
 import numpy as np
 
 import flexel as fx
-from campaign.calls import Case, drawn_nodes
+from campaign.case import Case, drawn_nodes
 from campaign.changes import Inapplicable
 from campaign.oracle import Answer, Oracle
 from campaign.parts import twins_of

@@ -10,6 +10,7 @@ from campaign.elastic import Stressed, rates
 from campaign.oracle import jacobian
 from campaign.twin import Twin
 from flexel.base.arrays import Array
+from flexel.parts import wheels
 
 UP = (0.0, 0.0, 1.0)
 PLACES = ("deflection", "drop", "camber")
@@ -50,19 +51,17 @@ class Wavy:
 class Tyre(Twin):
     """The geometry of a tyre on the nodes hub and frame, without any force; coordinates (7,)."""
 
-    def __init__(
-        self, name: str, nodes: tuple[str, str], orientation: Array, options: Mapping[str, Any]
-    ) -> None:
-        self.name, self.nodes = name, nodes
-        axle = np.array(options["axle"], float)
+    def __init__(self, part: wheels.Tyre, orientation: Array) -> None:
+        self.name, self.nodes = part.name, (str(part.hub), str(part.frame))
+        axle = np.array(part.axle, float)
         back = orientation * [1, -1, -1, -1]
         self.axle = rotated(back, axle / np.linalg.norm(axle))
-        self.radius, self.crown = options["radius"], options.get("crown", 0.0)
-        waves = options.get("road")
+        self.radius, self.crown = part.radius, part.crown
+        waves = part.road
         if waves is None:
-            self.road: Plane | Wavy = Plane(options.get("normal", UP), options.get("height", 0.0))
+            self.road: Plane | Wavy = Plane(part.normal, part.height)
         else:
-            self.road = Wavy(*waves.args, **waves.options)
+            self.road = Wavy(**vars(waves))
 
     def places(self, x: Array) -> Array:
         """Deflection, drop and camber (3, …)."""
@@ -189,7 +188,7 @@ class TyreForces(Stressed):
     ) -> None:
         self.tyre, self.nodes, self.on = tyre, tyre.nodes, on
         self.law, own = LAWS[law]
-        self.states = tuple(f"{label}.{z}" for z in own)
+        self.states = tuple(f"{label}.{name}" for name in own)
         self._own, self.parameters = own, parameters
         self.conserves = law == "vertical_tyre" and not parameters["damping"]
 

@@ -49,7 +49,7 @@ def controlled(function: Any, **options: Any) -> fx.System:
 
 
 def by_hand(kind: str, strength: float) -> tuple[Array, Array, Array]:
-    """Times, positions and forces of the sampled loop; the own state is a variable of this loop."""
+    """Times, positions and forces of the sampled loop; the controller state is a variable of this loop."""
     x = np.zeros(2)
 
     def law(t: float, y: Array) -> float:
@@ -120,10 +120,10 @@ def test_a_function_that_clamps_holds_its_own_state() -> None:
 def continuous(strength: float) -> Array:
     """Positions of the loop with solve_ivp at times 0, 0.05, …, 6 s."""
 
-    def slopes(t: float, z: Array) -> list[float]:
-        u = force(z[0], z[2:])
-        integral, filtered = rate(z[0], z[2:])
-        return [z[1], limited(u) / MASS, integral + strength * (limited(u) - u), filtered]
+    def slopes(t: float, y: Array) -> list[float]:
+        u = force(y[0], y[2:])
+        integral, filtered = rate(y[0], y[2:])
+        return [y[1], limited(u) / MASS, integral + strength * (limited(u) - u), filtered]
 
     times = np.linspace(0, 6, 121)
     found = solve_ivp(slopes, (0, 6), [0.5, 0, 0, 0], t_eval=times, rtol=1e-11, atol=1e-12, max_step=0.01)
@@ -135,7 +135,7 @@ def continuous_function(t: float, y: Array, x: Array) -> tuple[float, Array]:
 
 
 def test_continuous_controllers_meet_scipy() -> None:
-    """The implicit method needs a short step: it controls the error of coordinates, not of own states."""
+    """The implicit method needs a short step: it controls the error of coordinates, not of the controller's states."""
     known, times = continuous(1 / 0.3), np.linspace(0, 6, 121)
     short: dict[str, Any] = {"method": "generalized-alpha", "step": 1e-3}
     function = {"anti_windup": [[1 / 0.3], [0.0]], "state": [0, 0]}
@@ -167,8 +167,8 @@ def test_within_the_limits_nothing_changes() -> None:
         plain = controlled(pid(period))
         for way in ways:
             s = controlled(pid(period), anti_windup=way)
-            pair = [z.linearize(z.state_at(at)) for z in (plain, s)]
-            found = [(z.sampled() if period else z).eigenvalues() for z in pair]
+            pair = [system.linearize(system.state_at(at)) for system in (plain, s)]
+            found = [(lin.sampled() if period else lin).eigenvalues() for lin in pair]
             assert found[0] == pytest.approx(found[1], abs=1e-12)
             assert s.simulate(0.5, start=s.state_at({"A.x": TO - 0.001}))["A.x"] == pytest.approx(
                 plain.simulate(0.5, start=plain.state_at({"A.x": TO - 0.001}))["A.x"], abs=1e-12
@@ -214,13 +214,13 @@ def test_what_cannot_be_is_refused() -> None:
     unseen = StateSpace([[0, 0], [0, -1]], [[1], [1]], [[0, 1]], 0)
     gains = "give gains"
     for function, options, match in (
-        ([[1.0]], {"anti_windup": 0.1}, "no own state that could wind up"),
+        ([[1.0]], {"anti_windup": 0.1}, "no state that could wind up"),
         (pid(None), {"anti_windup": 0.1, "limits": None}, "without limits nothing winds up; give limits="),
         (pid(None), {"anti_windup": "clamp"}, "'clamp' is for sampled controllers; give a continuous one a time"),
         (pid(T), {"anti_windup": "clam"}, r"give a time constant \[s\], gains .*, or 'clamp'"),
         (pid(T), {"anti_windup": 0.01}, "time constant 0.01 s is less than the period 0.02 s"),
         (pid(T), {"anti_windup": -1}, "time constant -1 is not positive"),
-        (pid(T), {"anti_windup": [[1, 2]]}, r"gains of shape \(1, 2\); give \(2, 1\), a row for each own state"),
+        (pid(T), {"anti_windup": [[1, 2]]}, r"gains of shape \(1, 2\); give \(2, 1\), a row for each state"),
         (pid(T), {"anti_windup": {"a": 1}}, "not numeric"),
         (lagged, {"anti_windup": 0.1}, rf"no integrator \(a pole at 0\); {gains}"),
         (chain, {"anti_windup": 0.1}, rf"integrators in series; {gains}"),

@@ -58,7 +58,7 @@ def test_sizes_and_settings() -> None:
     )
     refused("state .* has shape", StateSpace(-1.0, [[1.0, 0]], 1.0, [[0, 0]]), state=[1, 2])
     refused("gains have no state", [[1.0, 2.0]], state=[0.0])
-    refused("a function has its own reference", reference={"A.x": 1.0})
+    refused("a function contains its reference", reference={"A.x": 1.0})
     refused("the reference 'A.z' is not measured; it measures A.x, A.x'", [[1, 2]], reference={"A.z": 1.0})
     refused("a continuous controller has no delay; give a period", delay=0.1)
     refused("delay -1 is negative", period=0.1, delay=-1.0)
@@ -70,13 +70,13 @@ def test_sizes_and_settings() -> None:
     refused("None is not a controller; give a function of", None)
     refused("'pid' is not a controller", "pid")
     refused(
-        "own states; a continuous one may have 100: reduce its order",
+        "states; a continuous one may have 100: reduce its order",
         lambda t, y, x: (0.0, x),
         state=np.zeros(101),
     )
     discrete = StateSpace(0.5, [[1.0, 0]], 1.0, [[0, 0]], dt=0.1)
     refused("period 0.2 s, but the system has 0.1 s", discrete, period=0.2)
-    refused("discrete and has no period of its own", StateSpace(0.5, [[1.0, 0]], 1.0, [[0, 0]], dt=True))
+    refused("discrete and has no period", StateSpace(0.5, [[1.0, 0]], 1.0, [[0, 0]], dt=True))
     refused("is continuous, but a period is given", StateSpace(-1.0, [[1.0, 0]], 1.0, [[0, 0]]), period=0.1)
 
 
@@ -240,10 +240,12 @@ def test_where_every_motion_is_prescribed_a_controller_takes_part_in_the_driving
     assert motion["c.x0"][-1] == pytest.approx(0.5 + 0.1 * (1 - np.cos(1.0)), abs=1e-9)
 
 
-def test_gains_are_no_parameters() -> None:
+def test_gains_are_parameters_of_their_controller() -> None:
     m = cart()
     m.controller([[14.0, 80.0]], inputs=["pivot.angle'", "pivot.angle"], outputs=["cart.x"], name="c")
     s = m.build()
-    assert "cart mass.mass" in s.parameters and not [z for z in s.parameters if z.startswith("c.")]
+    own = [name for name in s.parameters if name.startswith("c.")]
+    assert "cart mass.mass" in s.parameters and own == ["c.function", "c.delay"]
+    assert s.with_parameters({"c.function": [[7.0, 40.0]]}).parameters["c.function"].tolist() == [7.0, 40.0]
     with pytest.raises(fx.ModelError, match="unknown parameter 'c.damping'"):
         s.with_parameters({"c.damping": [1.0, 2.0]})

@@ -25,8 +25,8 @@ def design() -> tuple[fx.Linearization, Array, Array, Array]:
     return lin, A, B, 10 * B.T @ X
 
 
-def largest_first(z: Any) -> Array:
-    return np.asarray(sorted(np.abs(z), reverse=True))
+def largest_first(values: Any) -> Array:
+    return np.asarray(sorted(np.abs(values), reverse=True))
 
 
 def controlled(function: Any, **options: Any) -> fx.System:
@@ -59,7 +59,7 @@ def test_a_dynamic_controller_in_three_forms() -> None:
     control = pytest.importorskip("control", reason="pip install 'flexel[control]'")
     pid = control.tf([40.0, 60.0, 30.0], [0.05, 1.0, 0.0])
     system = control.ss(pid)
-    A, B, C, D = (np.asarray(getattr(system, z)) for z in "ABCD")
+    A, B, C, D = (np.asarray(getattr(system, name)) for name in "ABCD")
     reference = {"A.x": 0.2}
 
     def own(t: float, y: Array, x: Array) -> tuple[Array, Array]:

@@ -73,17 +73,17 @@ def test_a_loop_of_several_periods_is_that_of_simulated_motions() -> None:
     s = two_rates()
     loop = s.linearize().sampled()
     assert loop.period == pytest.approx(0.1, rel=1e-15)
-    rates = {z.removesuffix("'") for z in loop.states if z.endswith("'")}
+    rates = {name.removesuffix("'") for name in loop.states if name.endswith("'")}
 
     def end(name: str | None) -> Array:
-        given = dict.fromkeys([z for z in loop.states if not z.endswith("'")], 0.1)
+        given = dict.fromkeys([name for name in loop.states if not name.endswith("'")], 0.1)
         speeds = dict.fromkeys(rates, 0.1)
         if name is not None:
             (speeds if name.endswith("'") else given)[name.removesuffix("'")] += 1.0
         motion = s.simulate(0.1, start=s.state_at(given, rates=speeds), samples=2, method="DOP853")
-        return np.array([motion[z][-1] for z in loop.states])
+        return np.array([motion[name][-1] for name in loop.states])
 
-    columns = [end(z) - end(None) for z in loop.states]
+    columns = [end(name) - end(None) for name in loop.states]
     assert loop.state_matrix == pytest.approx(np.array(columns).T, abs=1e-9)
 
 

@@ -128,7 +128,7 @@ def test_a_stepper_with_a_loop_by_hand_is_the_same() -> None:
 
 
 def test_events_and_checkpoints_keep_the_controller(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    from flexel.analyses import checkpoints
+    from flexel.results.analyses import checkpoints
 
     s = controlled(function=lagging, inputs=["A.x"], state=[0.5], delay=0.12)
     t = np.arange(41) * 0.025
@@ -140,7 +140,7 @@ def test_events_and_checkpoints_keep_the_controller(tmp_path: Path, monkeypatch:
     rest = s.simulate(1.0 - stop, start=first[-1], times=t[t > stop])
     assert rest["A.x"] == pytest.approx(whole["A.x"][t > stop], abs=1e-9)
 
-    monkeypatch.setattr(checkpoints, "EVERY", 0.0)
+    monkeypatch.setattr(checkpoints, "CHECKPOINT_INTERVAL_S", 0.0)
     count = []
 
     def breaking(t: float, y: Array, x: Array) -> tuple[Any, Any]:

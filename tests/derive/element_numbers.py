@@ -39,9 +39,9 @@ def every(names: list[str]) -> pytest.MarkDecorator:
     return pytest.mark.parametrize("element", names, indirect=True)
 
 
-with_deformations = every([name for name, z in ELEMENTS.items() if z.deformations])
-with_slips = every([name for name, z in ELEMENTS.items() if z.slips])
-with_mass = every([name for name, z in ELEMENTS.items() if "inertia" in z.kernels])
+with_deformations = every([name for name, element in ELEMENTS.items() if element.deformations])
+with_slips = every([name for name, element in ELEMENTS.items() if element.slips])
+with_mass = every([name for name, element in ELEMENTS.items() if "inertia" in element.kernels])
 beams = pytest.mark.parametrize("name", ["beam", "beam_first_order", "beam_logarithmic"])
 planar_beams = pytest.mark.parametrize("name", ["planar_beam", "planar_beam_first_order"])
 
@@ -87,6 +87,11 @@ def rotation(axis: Vector, angle: Any) -> Vector:
 X, Y, Z = [1, 0, 0], [0, 1, 0], [0, 0, 1]
 
 
+def sheared(l0: Any, phi_y: Any, phi_z: Any = 0) -> dict[str, Any]:
+    """Stiffnesses of a beam that give these shear numbers 12 EI/(GA l0^2)."""
+    return {"EIz": phi_y * l0**2 / 12, "EIy": phi_z * l0**2 / 12, "GAy": mpf(1), "GAz": mpf(1)}
+
+
 class Numbers(Definition):
     """The functions of an element, of numbers of mpmath."""
 
@@ -117,11 +122,11 @@ def _compiled(element: Element) -> Numbers:
 
 
 def numbers(element: Element, **values: Any) -> Definition:
-    """Return the element's functions with parameters: those named, and zero for the others."""
+    """Return the element's functions with parameters: those named; others are zero, or one if they must be positive."""
     definition = copy(_compiled(element))  # with parameters of its own
     p: Vector = []
     for parameter in element.parameters:
-        value = values.get(parameter.name, [0] * parameter.size)
+        value = values.get(parameter.name, [int(parameter.sign == "positive")] * parameter.size)
         p += [mpf(v) for v in (value if isinstance(value, Sequence) else [value])]
     assert len(p) == len(element.parameter_symbols)
     definition.p = decimals(p)
@@ -214,7 +219,7 @@ def symmetry(element: Element, values: dict[str, Any], rng: random.Random) -> Mo
     """Return a rigid motion that the element cannot notice: any, or for a wheel one that keeps the road."""
     if "heading" in values:  # waves: only along their crests
         across = [-values["heading"][1], values["heading"][0], 0]
-        shift, velocity = ([mpf(rng.uniform(-1, 1)) * z for z in across] for _ in range(2))
+        shift, velocity = ([mpf(rng.uniform(-1, 1)) * component for component in across] for _ in range(2))
         return Motion(Z, mpf(0), shift, [0, 0, 0], velocity)
     axis, omega = unit(column(rng, 3)), column(rng, 3)
     shift, velocity = column(rng, 3), column(rng, 3)

@@ -19,6 +19,7 @@ from element_numbers import (
     plus,
     product,
     rotated,
+    sheared,
     straight,
     unit,
 )
@@ -52,7 +53,7 @@ def test_beam_read_from_the_other_end_is_the_same_beam(name: str, rng: random.Ra
     values |= {
         "rhoA": 1,
         "rhoJ": [mpf("0.1"), mpf("0.2"), mpf("0.3")],
-        "phi_y": mpf("0.4"),
+        **sheared(values["l0"], mpf("0.4")),
         "gravity": column(rng, 3),
     }
     half = [0, 0, 0, 1]
@@ -143,7 +144,7 @@ def test_rotary_energy_of_a_stretched_planar_beam_that_spins_does_not_depend_on_
 ) -> None:
     """All sections turn with the rate w, whatever their distance: T = rhoJ l0 w²/2 (closed form)."""
     l0, rho_j, w = mpf("0.7"), mpf("0.3"), mpf("1.9")
-    d = numbers(named(name), l0=l0, rhoJ=rho_j, phi_z=mpf("0.4"))
+    d = numbers(named(name), l0=l0, rhoJ=rho_j, **sheared(l0, mpf("0.4")))
     for stretch in (mpf("-0.2"), mpf(0), mpf("0.5")):
         length = l0 * (1 + stretch)
         T = d.T([0, 0, 0, length, 0, 0], [0, 0, w, 0, length * w, w])
@@ -155,7 +156,7 @@ def test_rotary_energy_of_a_stretched_beam_that_spins_does_not_depend_on_the_str
     """Rates w about all axes of the section: T = l0 w·rhoJ w/2 (closed form)."""
     l0, rho_j, w = mpf("0.7"), [mpf("0.1"), mpf("0.2"), mpf("0.3")], [mpf("1.9"), mpf("0.8"), mpf("-1.1")]
     still = [1, 0, 0, 0]
-    d = numbers(named(name), l0=l0, tp=still, tq=still, rhoJ=rho_j, phi_y=mpf("0.4"), phi_z=mpf("0.9"))
+    d = numbers(named(name), l0=l0, tp=still, tq=still, rhoJ=rho_j, **sheared(l0, mpf("0.4"), mpf("0.9")))
     turning = [0, *(c / 2 for c in w)]
     for stretch in (mpf("-0.2"), mpf(0), mpf("0.5")):
         end = [l0 * (1 + stretch), 0, 0]

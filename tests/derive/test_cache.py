@@ -33,7 +33,7 @@ def made(source: str = SOURCE) -> Path:
 def test_the_folder_is_private_and_its_files_are_sealed(folder: Path) -> None:
     path = made()
     assert folder.stat().st_mode & 0o777 == 0o700 and is_whole(path)
-    assert sorted(z.name for z in folder.iterdir()) == [path.name]
+    assert sorted(file.name for file in folder.iterdir()) == [path.name]
 
 
 @pytest.mark.parametrize("damage", ["cut", "changed", "foreign", "empty", "gone"])
@@ -79,7 +79,10 @@ def test_a_folder_that_cannot_be_made_is_replaced_with_a_message(folder: Path) -
     ("compiler", "message"),
     [
         ("#!/bin/sh\nexit 0\n", "reported success, but made no file"),
-        ('#!/bin/sh\nfor z; do [ "$last" = -o ] && echo junk > "$z"; last=$z; done\n', "cannot be loaded"),
+        (
+            '#!/bin/sh\nfor word; do [ "$last" = -o ] && echo junk > "$word"; last=$word; done\n',
+            "cannot be loaded",
+        ),
         ("#!/bin/sh\necho no >&2\nexit 1\n", "does not compile: .*\nno"),
     ],
 )
@@ -99,5 +102,5 @@ def test_eight_processes_at_once(folder: Path) -> None:
     running = [
         subprocess.Popen([sys.executable, "-c", PROGRAM], stdout=subprocess.PIPE, text=True) for _ in range(8)
     ]
-    assert [z.communicate()[0] for z in running] == ["7\n"] * 8
+    assert [process.communicate()[0] for process in running] == ["7\n"] * 8
     assert len(list(folder.iterdir())) == 1

@@ -11,7 +11,7 @@ import sympy as sp
 from scipy.integrate import solve_ivp
 
 from flexel.derive.declare import Law
-from flexel.derive.laws.contact import CONTACT
+from flexel.derive.laws.contact_laws import CONTACT
 
 DATA = json.loads((Path(__file__).parents[1] / "data" / "rope_analytic.json").read_text())["hertz_bounce"]
 BY_NAME = {law.name: law for law in CONTACT}

@@ -64,14 +64,14 @@ def test_an_element_of_ones_own_is_of_no_family_and_has_no_picture() -> None:
     assert (own.family, own.picture, own.span, own.deformations[0].kind) == ("", "", "", "")
 
 
-@pytest.mark.parametrize("family", [z for z in FAMILIES if z])
+@pytest.mark.parametrize("family", [family for family in FAMILIES if family])
 def test_every_family_has_members(family: str) -> None:
-    assert any(z.family == family for z in TABLE.values())
+    assert any(element.family == family for element in TABLE.values())
 
 
-@pytest.mark.parametrize("picture", [z for z in PICTURES if z])
+@pytest.mark.parametrize("picture", [picture for picture in PICTURES if picture])
 def test_every_picture_shows_something(picture: str) -> None:
-    assert any(z.picture == picture for z in TABLE.values())
+    assert any(element.picture == picture for element in TABLE.values())
 
 
 @pytest.mark.parametrize("sign", SIGNS)
@@ -79,23 +79,25 @@ def test_every_sign_is_asked_for(sign: str) -> None:
     words = {
         w
         for law in LAW_TABLE.values()
-        for z in law.parameters
-        for w in ([z.sign] if isinstance(z.sign, str) else z.sign)
+        for parameter in law.parameters
+        for w in ([parameter.sign] if isinstance(parameter.sign, str) else parameter.sign)
     }
     assert sign in words
 
 
-@pytest.mark.parametrize("name", [z.name for z in TABLE.values() if z.span])
+@pytest.mark.parametrize("name", [element.name for element in TABLE.values() if element.span])
 def test_a_span_takes_nodes_and_parameters_of_what_it_loads(name: str) -> None:
     loaded, span = TABLE[name], TABLE[TABLE[name].span]
-    kinds = [z.kind for z in loaded.nodes]
-    assert [z.kind for z in span.nodes] in (kinds[: len(span.nodes)], [kinds[0], kinds[-1]])
-    assert {(z.name, z.size) for z in span.parameters} <= {(z.name, z.size) for z in loaded.parameters}
+    kinds = [node.kind for node in loaded.nodes]
+    assert [node.kind for node in span.nodes] in (kinds[: len(span.nodes)], [kinds[0], kinds[-1]])
+    assert {(parameter.name, parameter.size) for parameter in span.parameters} <= {
+        (parameter.name, parameter.size) for parameter in loaded.parameters
+    }
 
 
 def test_a_limit_is_a_parameter_of_its_law() -> None:
     assert LAW_TABLE["calspan_tyre"].limit is not None
-    assert [z.name for z in LAW_TABLE.values() if z.limit] == ["calspan_tyre"]
+    assert [law.name for law in LAW_TABLE.values() if law.limit] == ["calspan_tyre"]
     law = definitions()["law_calspan_tyre"]
     with pytest.raises(ValueError, match=f"law '{law.name}': the limit x is not one of its parameters"):
         type(law)(**{**vars(law), "limit": Limit(sp.Symbol("x"), "nothing")})

@@ -79,8 +79,8 @@ def test_a_law_is_derived_with_the_others_in_its_file(three: tuple[Element, ...]
     write(tmp_path, all_of_it)
     one = emit(truss, laws, only=[first], folder=tmp_path)
     assert sorted(one.operations) == sorted([first, second])
-    assert [one.files[z] for z in ("laws.c", "table.py")] == [
-        all_of_it.files[z] for z in ("laws.c", "table.py")
+    assert [one.files[file] for file in ("laws.c", "table.py")] == [
+        all_of_it.files[file] for file in ("laws.c", "table.py")
     ]
     fewer = emit(truss, laws[1:], only=["truss"], folder=tmp_path)
     assert sorted(fewer.operations) == sorted(["truss", second])
@@ -109,7 +109,7 @@ def test_the_baseline_has_all_elements_and_laws() -> None:
     from flexel.derive.elements import ELEMENTS
     from flexel.derive.laws import LAWS
 
-    assert list(baseline()) == [z.name for z in (*ELEMENTS, *LAWS)]
+    assert list(baseline()) == [definition.name for definition in (*ELEMENTS, *LAWS)]
 
 
 def test_the_command_fails_where_files_differ(

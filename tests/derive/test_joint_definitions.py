@@ -33,7 +33,7 @@ def test_a_skate_slips_across_its_blade_alone(rng: random.Random) -> None:
     )
     d = numbers(named("skate"), blade=X, normal=n, height=dot(n, body))
     b = rotated(heading, X)
-    ahead = unit(plus(b, [dot(b, n) * z for z in n], -1))
+    ahead = unit(plus(b, [dot(b, n) * component for component in n], -1))
     across = cross(n, ahead)
     x = [*body, *heading]
     assert equal(d.D(x), [0])
@@ -57,7 +57,7 @@ def test_a_cam_with_equal_control_values_is_round(rng: random.Random) -> None:
             a = mpf(rng.uniform(-3.14, 3.14))
             place = [mpf("0.7") * cos(a), mpf("0.7") * sin(a)]
             x = [0, 0, 0, 1, 0, 0, 0, *place, mpf("0.2")] if name == "roller_cam" else [0, 0, 0, *place]
-            assert equal(d.D([mpf(z) for z in x]), [mpf("0.4")])
+            assert equal(d.D([mpf(number) for number in x]), [mpf("0.4")])
 
 
 def test_the_outline_of_a_cam_is_smooth_at_all_its_knots(rng: random.Random) -> None:
@@ -99,7 +99,9 @@ def test_a_round_cam_under_a_face_is_at_its_radius_in_every_direction(rng: rando
         turn, lean = mpf(rng.uniform(-3.14, 3.14)), mpf(rng.uniform(-1, 1))
         frame = product(rotation(Z, turn), rotation(Y, -lean))
         n, flat = rotated(frame, X), [cos(turn), sin(turn), mpf(0)]
-        on_line = plus([mpf("0.7") * z for z in flat], [-sin(turn), cos(turn), mpf(0)], mpf("0.2"))
+        on_line = plus(
+            [mpf("0.7") * component for component in flat], [-sin(turn), cos(turn), mpf(0)], mpf("0.2")
+        )
         up = plus(Z, n, -n[2])
         q = plus(on_line, up, mpf("0.4"))  # another point of the face
         assert equal(

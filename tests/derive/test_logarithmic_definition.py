@@ -15,6 +15,7 @@ from element_numbers import (
     numbers,
     plus,
     rotation,
+    sheared,
     unit,
 )
 from mpmath import mpf
@@ -41,7 +42,7 @@ def test_uniformly_bent_and_twisted_beam_has_the_strains_of_the_helix(
     """Torsion and bending are the angles themselves, for both signs of a quaternion; the length is a short series."""
     turn = [mpmath.radians(degrees) * c for c in unit(column(rng, 3))]
     place, turned = helix(turn)
-    d = numbers(named("beam_logarithmic"), l0=1, tp=STILL, tq=STILL, phi_y=PHI_Y, phi_z=PHI_Z)
+    d = numbers(named("beam_logarithmic"), l0=1, tp=STILL, tq=STILL, **sheared(1, PHI_Y, PHI_Z))
     found = d.D([0, 0, 0, *STILL, *place, *(sign * c for c in turned)])
     tx, ty, tz = turn
     assert equal(found, [0, tx, ty / 2, ty / 2, tz / 2, tz / 2], mpf(error))
@@ -60,20 +61,20 @@ def test_planar_beam_bent_to_an_arc_is_not_stretched(degrees: int) -> None:
     """But for the first term that its series for the length of the arc leaves out."""
     angle = mpmath.radians(degrees)
     place = [mpmath.sin(angle) / angle, (1 - mpmath.cos(angle)) / angle]
-    d = numbers(named("planar_beam_logarithmic"), l0=1, phi_z=PHI_Z)
+    d = numbers(named("planar_beam_logarithmic"), l0=1, **sheared(1, PHI_Z))
     assert equal(d.D([0, 0, 0, *place, angle]), [0, angle / 2, angle / 2], angle**8 / 92e6)
 
 
-@pytest.mark.parametrize("sheared", [True, False])
+@pytest.mark.parametrize("shears_too", [True, False])
 def test_energy_of_a_stretched_sheared_bent_and_twisted_beam_is_that_of_the_rod(
-    sheared: bool, rng: random.Random
+    shears_too: bool, rng: random.Random
 ) -> None:
     """A rod with linear bending moments, constant forces and torque is in equilibrium to first order.
 
     Its energy is then that of the beam to third order in the deformation.  The classic beam is so without shear only.
     """
     small, EA, GJ, EIy, EIz = mpf("1e-3"), mpf(7), mpf(2), mpf(3), mpf(5)
-    phi_y, phi_z = (PHI_Y, PHI_Z) if sheared else (mpf(0), mpf(0))
+    phi_y, phi_z = (PHI_Y, PHI_Z) if shears_too else (mpf(0), mpf(0))
     stretch, torsion, y0, y1, z0, z1 = column(rng, 6)
     shears = (
         -phi_y * z1 / 6,
@@ -85,9 +86,9 @@ def test_energy_of_a_stretched_sheared_bent_and_twisted_beam_is_that_of_the_rod(
 
     exact = EA * stretch**2 + GJ * torsion**2
     for EI, phi, shear, even, odd in ((EIz, phi_y, shears[0], z0, z1), (EIy, phi_z, shears[1], y0, y1)):
-        exact += EI * (even**2 + odd**2 / 3) + (12 * EI / phi * shear**2 if sheared else 0)
+        exact += EI * (even**2 + odd**2 / 3) + (12 * EI / phi * shear**2 if shears_too else 0)
     end, turned = rod(curvature, stretch=[small * c for c in (stretch, *shears)])
-    d = numbers(named("beam_logarithmic"), l0=1, tp=STILL, tq=STILL, phi_y=phi_y, phi_z=phi_z)
+    d = numbers(named("beam_logarithmic"), l0=1, tp=STILL, tq=STILL, **sheared(1, phi_y, phi_z))
     e1, e2, *bends = d.D([0, 0, 0, *STILL, *end, *turned])
     energy = EA * e1**2 + GJ * e2**2
     for EI, phi, a, b in ((EIy, phi_z, *bends[:2]), (EIz, phi_y, *bends[2:])):

@@ -65,7 +65,7 @@ MODES = {"planar_beam": (0, 4, 5), "planar_beam_first_order": (0, 4, 5), "planar
 MODES |= {"planar_beam_logarithmic": (0, 4, 5)}
 MODES |= {"planar_cable": (0, 1, 2, 5, 8, 11), "planar_slope_clamp": (0,)}
 MODES |= {"planar_cable_circle": (0,), "planar_cable_line": (0,)}
-MODES |= {f"planar_{z}": (0,) for z in ("point_circle", "point_line", "disc_circle", "disc_line")}
+MODES |= {f"planar_{name}": (0,) for name in ("point_circle", "point_line", "disc_circle", "disc_line")}
 MODES |= {"planar_roller_cam": (0,), "planar_flat_cam": (0,)}
 MODES |= {"planar_truss": (0,), "planar_hinge": (0,), "planar_body": (), "planar_point_mass": ()}
 
@@ -95,8 +95,8 @@ def spatial_parameters(values: dict[str, Any], turned: bool) -> dict[str, Any]:
             result[name] = [*values[name], 0]
     if "rhoJ" in values:
         result["rhoJ"] = [0, 0, values["rhoJ"]]
-    if "phi_z" in values:
-        result |= {"phi_y": values["phi_z"], "phi_z": 0}
+    if "EIz" in values:
+        result |= {"EIy": mpf(0), "GAz": mpf(1)}
     if "J" in values:
         result["J"] = [0, 0, values["J"], 0, 0, 0]
     return result
@@ -126,7 +126,7 @@ def test_planar_element_is_the_spatial_one_in_a_plane(name: str, rng: random.Ran
 PLANAR_ALONE = {"planar_bearing", "planar_belt", "planar_gear", "planar_wheel"}  # tested below
 
 
-@every([name for name, z in ELEMENTS.items() if is_planar(z)])
+@every([name for name, element in ELEMENTS.items() if is_planar(element)])
 def test_every_planar_element_has_its_spatial_counterpart(element: Element) -> None:
     assert (element.name in SPATIAL) != (element.name in PLANAR_ALONE)
 

@@ -73,8 +73,8 @@ def test_a_sphere_slides_with_its_material_point_at_the_contact(
     spins, velocities = [column(rng, 3), column(rng, 3)], [column(rng, 3), column(rng, 3)]
     v = moving(x, spins, velocities)
     unit_motions = [[int(i == j) for i in range(14)] for j in range(3)]
-    normals = list(zip(*(rates_of_deformations(d, x, z) for z in unit_motions), strict=True))
-    directions = list(zip(*(d.s(x, z) for z in unit_motions), strict=True))
+    normals = list(zip(*(rates_of_deformations(d, x, motion) for motion in unit_motions), strict=True))
+    directions = list(zip(*(d.s(x, motion) for motion in unit_motions), strict=True))
     assert len(directions) == 2 * len(normals)
     for i, n in enumerate(normals):
         touched = plus(centre, n, -A)
@@ -97,7 +97,7 @@ def test_a_point_and_a_sphere_have_the_same_gap(name: str, y: Vector, rng: rando
     sphere, values = contact("sphere", name, rng)
     x, centre = placed("sphere", values, y, rng)
     known = {p.name for p in named(f"point_{name}").parameters}
-    point = numbers(named(f"point_{name}"), **{key: z for key, z in values.items() if key in known})
+    point = numbers(named(f"point_{name}"), **{key: value for key, value in values.items() if key in known})
     assert equal(point.D([*centre, *x[7:]]), sphere.D(x))
 
 
@@ -111,7 +111,7 @@ def test_a_sphere_that_turns_with_the_surface_slides_as_a_point(
     omega, velocities = column(rng, 3), [column(rng, 3), column(rng, 3)]
     v = moving(x, [omega, omega], velocities)
     known = {p.name for p in named(f"point_{name}").parameters}
-    point = numbers(named(f"point_{name}"), **{key: z for key, z in values.items() if key in known})
+    point = numbers(named(f"point_{name}"), **{key: value for key, value in values.items() if key in known})
     moved = plus(velocities[0], cross(omega, plus(centre, x[:3], -1)))
     slips, s = point.s([*centre, *x[7:]], [*moved, *v[7:]]), d.s(x, v)
     assert equal([s[0], s[1]], [slips[0], slips[1]])

@@ -10,9 +10,9 @@ import sympy as sp
 
 from flexel.derive.program.differentiate import elimination, forward, gradient
 from flexel.derive.program.layers import hessian, jacobian, linear_layer, pulled_jacobian
-from flexel.derive.program.lower import Lowering, LoweringError
+from flexel.derive.program.lower import LoweringError, ProgramLowering
 from flexel.derive.program.narrowest import narrowest
-from flexel.derive.program.program import Program
+from flexel.derive.program.straight_line import Program
 
 X = sp.symbols("x0:4", real=True)
 P = sp.symbols("p0:2", real=True)
@@ -58,7 +58,7 @@ def lowered(*exprs: sp.Expr) -> tuple[Program, list[int], list[int]]:
     program = Program()
     x = [program.input(s.name) for s in X]
     p = [program.input(s.name, parameter=True) for s in P]
-    lowering = Lowering(program, dict(zip(X + P, x + p, strict=True)))
+    lowering = ProgramLowering(program, dict(zip(X + P, x + p, strict=True)))
     return program, x, [lowering.lower(expr) for expr in exprs]
 
 

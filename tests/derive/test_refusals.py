@@ -10,6 +10,7 @@ from flexel.derive.declare import (
     Element,
     Frame,
     Law,
+    Output,
     Parameter,
     PlanarAngle,
     PlanarPoint,
@@ -17,7 +18,7 @@ from flexel.derive.declare import (
     Slip,
     symbol,
 )
-from flexel.derive.laws.linear import LINEAR
+from flexel.derive.laws.linear_laws import LINEAR
 
 
 @pytest.mark.parametrize("law", LINEAR, ids=lambda law: law.name)
@@ -64,6 +65,59 @@ LENGTH = sp.sqrt(P.x.dot(P.x))
 def test_a_wrong_declaration_is_refused_by_name(arguments: dict[str, Any], message: str) -> None:
     with pytest.raises(ValueError, match=message):
         Element(**({"name": "wrong", "nodes": (P,)} | arguments))
+
+
+HEIGHT = Deformation("d", "m", LENGTH)
+
+
+@pytest.mark.parametrize(
+    ("outputs", "message"),
+    [
+        ((Output("speed", "m/s", P.v[0]),), "output 'speed' depends on rates"),
+        ((Output("force", "N", R.f[0]),), "output 'force' contains r_fl0: not a coordinate"),
+        ((Output("force", "N", symbol("sigma_e")),), "output 'force' contains sigma_e"),
+        ((Output("U", "J", P.x[0]),), "output 'U' has the name of something in the C; choose another"),
+        ((Output("t7", "J", P.x[0]),), "output 't7' has the name of something in the C"),
+        ((Output("a b", "J", P.x[0]),), "'a b' cannot be a name in C"),
+        ((Output("d1", "m", P.x), Output("d1", "m", P.x)), "'d1' is used twice"),
+        (
+            (Output("line", "m", P.x[:2, :], draws="bar"),),
+            r"'line' is drawn, but its shape is \(2,\); give a row",
+        ),
+        (
+            (Output("line", "m", P.x, draws="mass", carrier=("origin", "axes")), Output("origin", "m", P.x)),
+            r"the carrier \('origin', 'axes'\) of output 'line' is not a frame; name two outputs, its origin \(3",
+        ),
+        ((P.x,), "(?s)outputs holds .* give a tuple of Output"),
+    ],
+)
+def test_a_wrong_output_is_refused_by_name(outputs: Any, message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        Element("wrong", (P,), deformations=(HEIGHT,), doc="height", outputs=outputs)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (("f", "", P.x), "output 'f' has no unit"),
+        (("f", "N", P.x, "bar"), "output 'f' is drawn, but is in N; places are in m"),
+        (("f", "m", P.x, "", ("origin", "axes")), "output 'f' has a carrier, but is not drawn"),
+        (("f", "m", P.x, "photo"), "output 'f': draws 'photo' is unknown; choose one of '', 'bar'"),
+    ],
+)
+def test_a_wrong_output_names_itself(arguments: Any, message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        Output(*arguments)
+
+
+def test_a_family_with_other_nodes_than_its_own_is_refused() -> None:
+    message = (
+        r"element 'wrong': the family 'truss' has the nodes \(point, point\) or \(planar_point, planar_point\), "
+        r"not \(point\); leave the family out, or give its nodes"
+    )
+    with pytest.raises(ValueError, match=message):
+        Element("wrong", (P,), deformations=(HEIGHT,), doc="height", family="truss")
+    Element("right", (P, Point("q")), deformations=(HEIGHT,), doc="height", family="truss")
 
 
 def test_the_name_of_the_time_is_no_name_of_a_parameter() -> None:

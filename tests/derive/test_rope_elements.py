@@ -58,7 +58,7 @@ def test_strain_and_curvature_of_a_helix_converge_with_third_and_second_order() 
         e = numbers(named("cable"), l0=l0).D(cable_along(lambda s: helix(s, radius, pitch), l0))
         lengths = [sqrt(sum(c**2 for c in e[i : i + 3])) for i in (3, 6, 9)]
         exact = radius / (radius**2 + pitch**2)
-        errors.append((max(abs(z) for z in e[:3]), max(abs(z - exact) for z in lengths)))
+        errors.append((max(abs(strain) for strain in e[:3]), max(abs(length - exact) for length in lengths)))
     strain, curvature = (errors[0][i] / errors[1][i] for i in (0, 1))
     assert strain > 2**3 * mpf("0.9")
     assert curvature > 2**2 * mpf("0.9")
@@ -224,7 +224,7 @@ def test_gap_of_a_helical_groove_grows_across_it_alone_and_as_fast_as_the_distan
             ends.append(gaps("cable_helical_groove", y, rng)[0])
         slope.append((ends[0] - ends[1]) / (2 * step))
     along = [pitch, -r * sin(angle), r * cos(angle)]
-    assert equal([sum(z**2 for z in slope)], [1], mpf(10) ** -20)
+    assert equal([sum(component**2 for component in slope)], [1], mpf(10) ** -20)
     assert equal([sum(a * b for a, b in zip(slope, along, strict=True))], [0], mpf(10) ** -20)
 
 
@@ -273,7 +273,9 @@ def test_gauss_points_are_those_of_numpy() -> None:
 
     for count in (3, 4):
         places, _ = np.polynomial.legendre.leggauss(count)
-        assert np.allclose([float(z) for z in gauss_points(count)], (1 + places) / 2, rtol=0, atol=1e-15)
+        assert np.allclose(
+            [float(point) for point in gauss_points(count)], (1 + places) / 2, rtol=0, atol=1e-15
+        )
 
 
 def test_quaternion_of_the_surface_turns_its_axle(rng: random.Random) -> None:

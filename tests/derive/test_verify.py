@@ -10,46 +10,56 @@ import pytest
 import sympy as sp
 from click.testing import CliRunner
 
-import flexel.derive.compile
-from flexel.derive.compile import compile_element, compile_law
+import flexel.derive.user_definitions
 from flexel.derive.declare import (
     Deformation,
     Element,
     Law,
     Let,
+    Output,
     Parameter,
     PlanarAngle,
     PlanarPoint,
     Slip,
     symbol,
 )
-from flexel.derive.verify import Row, Verification, definitions, main, verify, verify_generated
-from flexel.derive.verify.compiled import generated_elements
+from flexel.derive.spec import ElementSpec
+from flexel.derive.user_definitions import compile_element, compile_law
+from flexel.derive.verify import KernelRow, Verification, definitions, verify, verify_generated
+from flexel.derive.verify.kernel_calls import generated_elements
+from flexel.derive.verify_command import main
 
 SLOW = ("beam", "beam_first_order")
 NAMES = list(generated_elements())  # those of the definitions, which take a second or two to import
 
 
 def spring_pendulum(cubic: int = 10**9) -> Element:
-    """Return an element that has everything: two deformations, a slip, mass, weight, an intermediate, an angle."""
+    """Return an element that has everything: deformations, a slip, mass, weight, an intermediate, an angle, outputs."""
     p, r = PlanarPoint("p"), PlanarAngle("r")
     l0, mass = Parameter("l0", 1, "m", "length"), Parameter("mass", 1, "kg", "mass")
     let = Let()
     length = let.scalar("length", sp.sqrt(p.x.dot(p.x)))
+    stretch = Deformation("stretch", "m", length - l0.symbol + sp.Rational(cubic, 3 * 10**9) * length**3)
+    slip = Slip("sideways", "m/s", sp.cos(r.x[0]) * p.v[1] - sp.sin(r.x[0]) * p.v[0] * length)
     return Element(
         name="spring_pendulum",
         nodes=(p, r),
         parameters=(l0, mass),
         let=let.entries,
         deformations=(
-            Deformation("stretch", "m", length - l0.symbol + sp.Rational(cubic, 3 * 10**9) * length**3),
+            stretch,
             Deformation("turn", "rad", sp.atan2(p.x[1], p.x[0]) - r.x[0], period=2 * sp.pi),
         ),
-        slips=(Slip("sideways", "m/s", sp.cos(r.x[0]) * p.v[1] - sp.sin(r.x[0]) * p.v[0] * length),),
+        slips=(slip,),
         kinetic_energy=mass.symbol * (p.v.dot(p.v) + length**2 * r.v[0] ** 2) / 2,
         potential=mass.symbol * sp.Integer(10) * p.x[1] * length,
         doc="a test",
         source="this test",
+        outputs=(
+            Output("pull", "N", p.f),
+            Output("line", "m", sp.Matrix.hstack(sp.zeros(2, 1), p.x, 2 * l0.symbol * p.x).T, draws="bar"),
+            Output("lean", "N", stretch.stress * sp.cos(r.x[0]) + slip.stress * sp.Abs(stretch.value)),
+        ),
     )
 
 
@@ -74,12 +84,13 @@ def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
-def failed(rows: list[Row]) -> set[tuple[str, str]]:
+def failed(rows: list[KernelRow]) -> set[tuple[str, str]]:
     return {(row.kernel, row.output) for row in rows if not row.ok}
 
 
 @pytest.mark.parametrize(
-    "name", [pytest.param(name, marks=pytest.mark.slow if name in SLOW else ()) for name in NAMES]
+    "name",
+    [pytest.param(name, marks=[pytest.mark.slow, pytest.mark.ci] if name in SLOW else ()) for name in NAMES],
 )
 def test_generated_kernels_are_what_the_definitions_say(name: str) -> None:
     result = verify_generated([name])
@@ -108,25 +119,29 @@ def test_another_definition_is_not_what_was_compiled(cache: Path) -> None:
     compiled = compile_element(spring_pendulum())
     rows = verify(compiled.spec, compiled.address, spring_pendulum(10**9 + 1))
     expected = {("position", "e"), ("position", "De"), ("acceleration", "g")}
-    expected |= {("kinematics", name) for name in ("Psi_x", "Psi_v")} | {
-        ("rates", "Phi_x"),
-        ("stiffness", "K"),
-    }
+    expected |= (
+        {("outputs", "pull")}
+        | {("kinematics", name) for name in ("Psi_x", "Psi_v")}
+        | {
+            ("rates", "Phi_x"),
+            ("stiffness", "K"),
+        }
+    )
     assert failed(rows) == expected
 
 
 def patched(monkeypatch: pytest.MonkeyPatch, kernel: str, pattern: str, replacement: str) -> None:
     """Let the next element be compiled with one place in one of its kernels changed."""
-    original = flexel.derive.compile.element_source
+    original = flexel.derive.user_definitions.element_code
 
-    def source(*arguments: object) -> str:
-        text = str(original(*arguments))  # type: ignore[arg-type]
+    def code(element: Element) -> tuple[str, ElementSpec]:
+        text, spec = original(element)
         start = text.index(f"_{kernel}(size_t")
         changed, count = re.subn(pattern, replacement, text[start:], count=1)
         assert count == 1, f"nothing like {pattern} in {kernel}"
-        return text[:start] + changed
+        return text[:start] + changed, spec
 
-    monkeypatch.setattr(flexel.derive.compile, "element_source", source)
+    monkeypatch.setattr(flexel.derive.user_definitions, "element_code", code)
 
 
 OUTPUTS = [
@@ -137,6 +152,7 @@ OUTPUTS = [
     *(("kinematics", name) for name in ("Psi_x", "Psi_v")),
     ("stiffness", "K"),
     *(("tangent", name) for name in ("R_x", "R_v")),
+    *(("outputs", name) for name in ("pull", "line", "lean")),
 ]
 
 
@@ -152,7 +168,8 @@ def test_a_wrong_coefficient_in_any_kernel_is_found(
 
 
 @pytest.mark.parametrize(
-    ("kernel", "output"), [item for item in OUTPUTS if item[1] not in ("e", "V", "M", "U")]
+    ("kernel", "output"),
+    [item for item in OUTPUTS if item[1] not in ("e", "V", "M", "U") and item[0] != "outputs"],
 )
 def test_differences_of_the_kernel_below_find_it_too(
     kernel: str, output: str, cache: Path, monkeypatch: pytest.MonkeyPatch
@@ -195,7 +212,7 @@ def test_a_kernel_that_does_not_exist_is_missed(cache: Path) -> None:
 
 def test_arrays_of_other_sizes_are_noticed_before_anything_is_called(cache: Path) -> None:
     compiled = compile_element(spring_pendulum())
-    fewer = dataclasses.replace(spring_pendulum(), slips=())
+    fewer = dataclasses.replace(spring_pendulum(), slips=(), outputs=())
     rows = verify(compiled.spec, compiled.address, fewer)
     assert [row.note for row in rows] == ["k = 1, not 0"]
 
@@ -212,8 +229,10 @@ def test_command_prints_a_table_and_writes_json(tmp_path: Path) -> None:
 
 
 def test_command_fails_for_a_wrong_kernel(monkeypatch: pytest.MonkeyPatch) -> None:
-    row = Row("norm", "position", "e", math.nan, 1e-9, True)
-    monkeypatch.setattr("flexel.derive.verify.verify_generated", lambda *_, **__: Verification((row,), 0.0))
+    row = KernelRow("norm", "position", "e", math.nan, 1e-9, True)
+    monkeypatch.setattr(
+        "flexel.derive.verify_command.verify_generated", lambda *_, **__: Verification((row,), 0.0)
+    )
     answer = CliRunner().invoke(main, ["norm"])
     assert answer.exit_code == 1
     assert "NOT OK" in answer.output

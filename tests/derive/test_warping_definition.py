@@ -3,7 +3,7 @@
 import random
 from typing import Any
 
-from element_numbers import Vector, column, dot, equal, named, numbers, plus, product, straight, unit
+from element_numbers import Vector, column, dot, equal, named, numbers, plus, product, sheared, straight, unit
 from mpmath import mpf
 from test_beam_definitions import rod
 
@@ -33,7 +33,7 @@ def test_energy_of_an_unevenly_twisted_and_bent_beam_is_that_of_the_rod(rng: ran
         return t0 + t1 * (2 * s - 1) + t2 * (2 * s - 1) ** 2
 
     def curvature(s: Any) -> Vector:
-        return [small * z for z in (twist(s), y0 + y1 * (2 * s - 1), z0 + z1 * (2 * s - 1))]
+        return [small * component for component in (twist(s), y0 + y1 * (2 * s - 1), z0 + z1 * (2 * s - 1))]
 
     exact = GJ * (t0**2 + t1**2 / 3 + t2**2 / 5 + 2 * t0 * t2 / 3) + EIw * 4 * (t1**2 + 4 * t2**2 / 3)
     exact = (exact + EIy * (y0**2 + y1**2 / 3) + EIz * (z0**2 + z1**2 / 3)) / 2
@@ -48,9 +48,9 @@ def test_energy_of_an_unevenly_twisted_and_bent_beam_is_that_of_the_rod(rng: ran
 def test_twist_shortens_the_beam_by_the_mean_stretch_of_its_fibres(rng: random.Random) -> None:
     """Wagner: the elongation of a straight twisted beam is the integral of Ip/A times half the twist's square."""
     polar, small = mpf("0.3"), mpf("1e-8")
-    t0, t1, t2 = (small * z for z in column(rng, 3))
+    t0, t1, t2 = (small * number for number in column(rng, 3))
     _, turned = rod(lambda s: [t0 + t1 * (2 * s - 1) + t2 * (2 * s - 1) ** 2, 0, 0])
-    d = numbers(named("beam_warping"), l0=1, tp=STILL, tq=STILL, polar=polar)
+    d = numbers(named("beam_warping"), l0=1, tp=STILL, tq=STILL, EIy=polar, EA=mpf(1))
     e = d.D([0, 0, 0, *STILL, 1, 0, 0, *turned, t0 - t1 + t2, t0 + t1 + t2])
     squares = t0**2 + t1**2 / 3 + t2**2 / 5 + 2 * t0 * t2 / 3
     assert abs(e[0] - polar / 2 * squares) < 1e-6 * polar * squares
@@ -73,13 +73,13 @@ def test_beam_read_from_the_other_end_is_the_same_beam(rng: random.Random) -> No
         "rhoA": 1,
         "rhoJ": [mpf("0.1"), mpf("0.2"), mpf("0.3")],
         "rhoIw": mpf("0.6"),
-        "polar": mpf("0.2"),
+        "EA": mpf("0.2"),
     }
-    values |= {"phi_y": mpf("0.4"), "gravity": column(rng, 3)}
+    values |= {**sheared(values["l0"], mpf("0.4")), "gravity": column(rng, 3)}
     half = [0, 0, 0, 1]
     turned = values | {"tp": product(values["tq"], half), "tq": product(values["tp"], half)}
     v = column(rng, 16)
-    there, back = (numbers(named("beam_warping"), **z) for z in (values, turned))
+    there, back = (numbers(named("beam_warping"), **given) for given in (values, turned))
 
     def exchange(x: Vector) -> Vector:
         return [*x[7:14], *x[:7], x[15], x[14]]

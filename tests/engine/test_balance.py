@@ -13,7 +13,7 @@ from flexel.engine.energies import Energies
 from flexel.examples.bicycle import bicycle
 from flexel.examples.rope_models import atwood
 from flexel.examples.vehicle import vehicle
-from flexel.mechanics.balance import Saddle
+from flexel.integration.balance import Saddle
 
 RATE, ACCELERATION = 30.0, 2e3  # dv/dx and da/dx
 

@@ -5,11 +5,11 @@ from dataclasses import replace
 import pytest
 
 import flexel as fx
-from flexel.engine.kernels import kernel_struct
+from flexel.engine.batches import kernel_struct
 from flexel.generated.table import ELEMENTS, LAWS
 
 
-@pytest.mark.parametrize("spec", [*ELEMENTS.values(), *LAWS.values()], ids=lambda z: z.name)
+@pytest.mark.parametrize("spec", [*ELEMENTS.values(), *LAWS.values()], ids=lambda spec: spec.name)
 def test_table_and_compiled_kernels_are_of_one_derivation(spec: object) -> None:
     kernel_struct(spec, None)  # type: ignore[arg-type]
 

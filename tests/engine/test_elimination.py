@@ -50,9 +50,9 @@ KINDS: dict[str, Callable[[int], Array]] = {
 
 def of(*matrices: Array) -> tuple[Elimination, list[Array]]:
     """The common pattern of matrices, and the matrices as it stores them."""
-    rows, columns = np.nonzero(sum(np.abs(z) for z in matrices))
+    rows, columns = np.nonzero(sum(np.abs(matrix) for matrix in matrices))
     pattern = Elimination(rows, columns, matrices[0].shape[0])
-    return pattern, [z[pattern.rows, pattern.columns] for z in matrices]
+    return pattern, [matrix[pattern.rows, pattern.columns] for matrix in matrices]
 
 
 def error(A: Array, x: Array, b: Array) -> float:
@@ -127,22 +127,22 @@ def test_one_order_serves_many_matrices(kind: str) -> None:
     rng = np.random.default_rng(2)
     others = [A * rng.uniform(0.8, 1.25, A.shape) for _ in range(10)]
     pattern, stored = of(A, *others)
-    orders = {id(pattern.factorize(z).order) for z in stored}
+    orders = {id(pattern.factorize(values).order) for values in stored}
     assert len(orders) == 1
     b = rng.standard_normal(A.shape[0])
-    for B, z in zip((A, *others), stored, strict=True):
-        assert error(B, pattern.factorize(z).solve(b), b) < 1e-12
+    for B, values in zip((A, *others), stored, strict=True):
+        assert error(B, pattern.factorize(values).solve(b), b) < 1e-12
 
 
 def test_an_order_that_is_unsound_for_a_matrix_is_replaced() -> None:
     """Pivots of the first matrix vanish one after another: the solutions stay accurate."""
     n = 30
     first, second = np.eye(n) + 0.01, np.eye(n)[::-1] + 0.01
-    path = [(1 - z) * first + z * second for z in np.linspace(0.0, 1.0, 41)]
+    path = [(1 - share) * first + share * second for share in np.linspace(0.0, 1.0, 41)]
     pattern, stored = of(*path)
     b, orders = np.arange(1.0, n + 1), set()
-    for A, z in zip(path, stored, strict=True):
-        factors = pattern.factorize(z)
+    for A, values in zip(path, stored, strict=True):
+        factors = pattern.factorize(values)
         if not factors.regular:
             assert np.linalg.cond(A) > 1e13
             continue
@@ -165,10 +165,10 @@ def test_near_a_singular_matrix_factors_are_accurate_or_refused() -> None:
     rng = np.random.default_rng(4)
     A, n = rng.standard_normal((30, 30)), 30
     U, s, V = np.linalg.svd(A)
-    path = [(U * np.append(s[:-1], z)) @ V for z in (1.0, 1e-4, 1e-8, 1e-11, 1e-18, -1e-11, -1.0)]
+    path = [(U * np.append(s[:-1], value)) @ V for value in (1.0, 1e-4, 1e-8, 1e-11, 1e-18, -1e-11, -1.0)]
     pattern, stored = of(*path)
-    found = [pattern.factorize(z) for z in stored]
-    assert [z.regular for z in found] == [True, True, True, True, False, True, True]
+    found = [pattern.factorize(values) for values in stored]
+    assert [factors.regular for factors in found] == [True, True, True, True, False, True, True]
     for B, factors in zip(path, found, strict=True):
         if factors.regular:
             assert factors.sign == np.linalg.slogdet(B)[0]
@@ -198,13 +198,15 @@ def test_a_pattern_can_be_pickled() -> None:
 
 
 def test_threads_share_an_order_and_may_replace_it() -> None:
-    path = [np.eye(40) * (1 - z) + np.eye(40)[::-1] * z + 0.01 for z in np.linspace(0.0, 0.45, 50)]
+    path = [
+        np.eye(40) * (1 - share) + np.eye(40)[::-1] * share + 0.01 for share in np.linspace(0.0, 0.45, 50)
+    ]
     pattern, stored = of(*path)
     b = np.arange(40.0)
 
     def worst(part: int) -> float:
         rounds = [(path[i], stored[i]) for i in range(part, 50, 2)] * 10
-        return max(error(A, pattern.factorize(z).solve(b), b) for A, z in rounds)
+        return max(error(A, pattern.factorize(values).solve(b), b) for A, values in rounds)
 
     with ThreadPoolExecutor(4) as pool:
         assert max(pool.map(worst, [0, 1, 0, 1])) < 1e-11
@@ -216,7 +218,7 @@ def test_large_matrices_without_much_fill_are_left_to_superlu_only_once(
     monkeypatch.setattr(elimination, "BORDER", 10)
     pattern, (stored,) = of(saddle(40, 7))
     found = [pattern.factorize(stored) for _ in range(2)]
-    assert [isinstance(z, elimination.LargeFactors) for z in found] == [True, False]
+    assert [isinstance(factors, elimination.LargeFactors) for factors in found] == [True, False]
     assert found[0].sign == found[1].sign
 
 

@@ -15,12 +15,14 @@ from wheels import MAGIC, MAGIC_ON, H, K, wheel
 
 import flexel as fx
 from flexel.base.arrays import Array
+from flexel.engine.covered import Covered
 from flexel.engine.structs import Struct
 from flexel.examples.bicycle import bicycle, kick
 from flexel.generated._kernels import ffi, lib
 from flexel.integration.dop853_steps import Steps
 from flexel.integration.knots import Knots
 from flexel.integration.radau_steps import Collocation
+from flexel.model.snapshot import Snapshot
 
 ROOT = Path(__file__).parents[2]
 ENGINE, GENERATED = ROOT / "runtime" / "engine", ROOT / "generated"
@@ -72,7 +74,29 @@ def slipping() -> tuple[fx.System, fx.State]:
     return system, system.initial
 
 
-MODELS = {z.__name__: z for z in (rolling, hanging, slipping)}
+def turning() -> tuple[fx.System, fx.State]:
+    """A free body, and a rotor in springs: three Euler parameters and a single one are degrees of freedom."""
+    m = fx.Model()
+    m.body("free", m.point("F", (5, 0, 0)), m.frame("FR"), mass=1.0, inertia=(1.0, 2.0, 3.0))
+    m.body("rotor", m.point("P", (0, 0, 0)), m.frame("R"), mass=1.0, inertia=(0.2, 0.2, 0.1))
+    for end, z in (("A", -0.3), ("B", 0.3)):
+        m.body_point(f"{end} of rotor", "P", "R", m.point(end, (0, 0, z)))
+        for side, place in (("x", (1, 0, z)), ("y", (0, 1, z)), ("z", (0, 0, z - 1)))[
+            : 3 if end == "A" else 2
+        ]:
+            m.truss(f"{end}{side} spring", m.point(f"{end}{side}", place, fixed=True), end, stiffness=1e4)
+    for frame in ("FR", "R"):
+        w = m.angular_velocity(frame)
+        m.initial(f"{w}.wx", rate=0.0 if frame == "R" else 1.0)
+        m.initial(f"{w}.wz", rate=5.0)
+    springs = [f"{name} spring.elongation" for name in ("Ax", "Ay", "Az", "Bx", "By")]
+    own = ("F.x", "F.y", "F.z", "FR.lambda1", "FR.lambda2", "FR.lambda3")
+    m.independent(*own, *springs, "R.lambda3")
+    system = m.build()
+    return system, system.initial
+
+
+MODELS = {model.__name__: model for model in (rolling, hanging, slipping, turning)}
 
 
 Methods = tuple[Steps, Collocation]
@@ -85,10 +109,14 @@ def prepared(system: fx.System, start: fx.State) -> list[Methods]:
     def own(_: int) -> Methods:
         begin.wait()
         knots = Knots(system, 0.0, 1.0)
-        explicit = Steps(system.kinematics, start, y, 1e-8, np.full(y.size, 1e-10), knots)
+        kinematics, atol = system.kinematics, np.full(y.size, 1e-10)
+        covered = Covered(system.structure, kinematics.lists.step_weight, 1e-8, 1e-10, 1e-15, True)
+        covered.take(kinematics.evaluation.work, start.x, start.v, start.z)
+        explicit = Steps(kinematics, Snapshot.of(start), y, 1e-8, atol, knots, covered)
         implicit = Collocation(system.kinematics, 1.0, np.ones(y.size))
         implicit.choice, c = explicit.choice, implicit.struct
         c.tolerance, c.enlarged, c.end, c.longest = 1e-12, 1.0, 1.0, 1.0
+        c.covered = covered.struct  # a run has one for each method; the driver takes one after the other
         lib.flexel_radau_factorize(c, SHORT)
         implicit.look_again()
         c.factorized, c.real_factorize, c.complex_factorize = (
@@ -118,7 +146,7 @@ def moved(methods: Methods) -> Array:
     c.t, c.h = t, SHORT
     assert not lib.flexel_radau_begin(work, choice, c)
     assert not lib.flexel_radau_step(work, choice, c)
-    lib.flexel_radau_accept(work, c)
+    lib.flexel_radau_accept(work, choice, c)
     lib.flexel_complete(work, choice, 0)
     lib.flexel_rates(work)
     lib.flexel_convective(work)
@@ -129,7 +157,7 @@ def moved(methods: Methods) -> Array:
     lib.flexel_rate_derivatives(work)
     lib.flexel_law_tangents(work, 0.0)
     tangents = np.zeros((2, work.nT))
-    lib.flexel_tangents(work, *(ffi.from_buffer("double[]", z) for z in tangents))
+    lib.flexel_tangents(work, *(ffi.from_buffer("double[]", tangent) for tangent in tangents))
     return np.concatenate([*arrays, energies, tangents.ravel()])
 
 
@@ -140,10 +168,15 @@ def written(file: Path, methods: Sequence[Methods], workspaces: int = THREADS) -
     roots: list[list[Struct]] = [
         [explicit.choice.work, explicit.choice, explicit, implicit] for explicit, implicit in methods
     ]
-    image = Image(evaluation.tables, [z for root in roots for z in root])
+    others = [
+        struct
+        for explicit, implicit in methods
+        for struct in (explicit.covered, implicit.turns, implicit.angles)
+    ]
+    image = Image(evaluation.tables, [struct for root in roots for struct in root] + others)
     samples = evaluation.tables.samples
     assert samples is not None
-    length = sum(z.stop - z.start for z in first.choice.work._state) + 4
+    length = sum(part.stop - part.start for part in first.choice.work._state) + 4
     place, _ = image.place(samples.ctypes.data)
     image.write(file, [roots[i % workspaces] for i in range(THREADS)], place, samples.shape[1], length)
 
@@ -155,10 +188,10 @@ def driver(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFact
     if not compiler:
         pytest.skip("gcc is not installed")
     folder = tmp_path_factory.mktemp(kind)
-    names = {b.spec.name for z in MODELS.values() for b in z()[0].evaluation.tables.elements}
+    names = {b.spec.name for model in MODELS.values() for b in model()[0].evaluation.tables.elements}
     sources = [
         *ENGINE.glob("*.c"),
-        *(GENERATED / f"{z}.c" for z in sorted(names)),
+        *(GENERATED / f"{name}.c" for name in sorted(names)),
         GENERATED / "laws.c",
         DRIVER,
     ]

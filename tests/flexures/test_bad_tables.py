@@ -16,7 +16,7 @@ def leaf(**values: Any) -> Change:
 
     def change(given: list[Any]) -> None:
         group = given[3][0] | values
-        given[3] = [{key: z for key, z in group.items() if z is not None}]
+        given[3] = [{key: value for key, value in group.items() if value is not None}]
 
     return change
 
@@ -90,7 +90,7 @@ CASES: list[tuple[Change, str]] = [
     (leaf(dimensions=None), "element_properties row 1: dimensions None of a rectangle"),
     (leaf(material="stel"), "element_properties row 1: unknown material 'stel'; did you mean steel"),
     (leaf(material=None), "element_properties row 1: neither a material nor E; give material"),
-    (leaf(material=None, E=2e11), "element_properties row 1: give one of nu and G beside E"),
+    (leaf(material=None, E=2e11), "element_properties row 1: give one of nu and G with E"),
     (leaf(material=None, E=-2e11, nu=0.3), "element_properties row 1: Material: E .* is not positive"),
     (leaf(E=2e11), "element_properties row 1: material and also E; drop one"),
     (leaf(flexible=7), "element_properties row 1: flexible 7 is not a list"),
@@ -114,7 +114,7 @@ CASES: list[tuple[Change, str]] = [
 ]
 
 
-@pytest.mark.parametrize(("change", "message"), CASES, ids=[z[1][:50] for z in CASES])
+@pytest.mark.parametrize(("change", "message"), CASES, ids=[case[1][:50] for case in CASES])
 def test_it_is_refused_by_name(change: Change, message: str) -> None:
     given: list[Any] = [*tables.guide(), None]
     change(given)

@@ -23,13 +23,13 @@ def ends(case: str) -> list[tuple[Array, Array]]:
     """Axes of each leaf from its clamped end, and its end on the body from the body's node."""
     if case == "guide":
         at = np.array([[-SPACING / 2, LENGTH / 2, 0], [SPACING / 2, LENGTH / 2, 0]])
-        return [(tables.axes((0, 1, 0), (0, 0, 1)), z) for z in at]
+        return [(tables.axes((0, 1, 0), (0, 0, 1)), place) for place in at]
     if case == "hinge":
         a = LENGTH / 2 / np.sqrt(2)
         return [(tables.axes((a, s * a, 0), (0, 0, 1)), np.array([a, s * a, 0])) for s in (1, -1)]
     turns = 2 * np.pi / 3 * np.arange(3)
     at = RADIUS * np.column_stack([np.cos(turns), np.sin(turns), np.zeros(3)])
-    return [(tables.axes((0, 0, 1), (1, 0, 0)), z) for z in at]
+    return [(tables.axes((0, 0, 1), (1, 0, 0)), place) for place in at]
 
 
 @pytest.mark.parametrize(
@@ -68,7 +68,9 @@ def test_a_payload_changes_the_stiffness_of_a_guide_and_buckles_it() -> None:
 
 def test_a_guide_from_tables_is_the_same_as_by_hand() -> None:
     found = fx.flexure(*tables.guide(IDEAL, force=(5.0, 0, 0)), {"steps": 3})
-    release = [z.replace("element 1 beam ", "AB").replace("element 3 beam ", "CD") for z in found.released]
+    release = [
+        name.replace("element 1 beam ", "AB").replace("element 3 beam ", "CD") for name in found.released
+    ]
     system = tables.by_hand(5.0, release, ("torsion", "bend1", "bend2"))
     state = system.equilibrium(t=0.0)
     for step in found.steps:
@@ -81,7 +83,7 @@ def test_a_guide_from_tables_is_the_same_as_by_hand() -> None:
         assert own is not None
         assert own.matrix == pytest.approx(C.matrix, rel=1e-8, abs=1e-10 * C.matrix.max())
         assert own.in_body == pytest.approx(C.in_body, rel=1e-8, abs=1e-10 * C.matrix.max())
-        w = [z.hertz for z in system.vibrations(state, count=4)]
+        w = [mode.hertz for mode in system.vibrations(state, count=4)]
         assert step.frequencies[:4] == pytest.approx(w, rel=1e-9)
         stress = state.stress("AB1")
         # positions agree to 1e-10 of the size; what bends is softer by 1e-4 than what is stiff, so stresses to less
@@ -156,7 +158,7 @@ def test_a_leaf_bent_by_a_large_rotation_is_an_arc(given: dict[str, Any]) -> Non
 
 def test_a_displacement_in_steps_ends_where_an_initial_one_does() -> None:
     def last(**given: Any) -> Array:
-        tip = {"displacement" + key: {"y": z} for key, z in given.items()}
+        tip = {"displacement" + key: {"y": value} for key, value in given.items()}
         rows = {1: {"fixed": True}, 2: tip}
         found = fx.flexure([[0, 0, 0], [LENGTH, 0, 0]], [[1, 2]], rows, [tables.leaf([1])], {"steps": 4})
         return np.concatenate([found.steps[-1].node(2).position, found.steps[-1].node(2).force])
@@ -195,7 +197,7 @@ def test_two_leaf_springs_come_out_as_in_spacar() -> None:
     )
     modes = ("elongation", "torsion", "bend1", "bend2", "bend3", "bend4")
     for k in (0, 9):
-        record = {key: np.array(z) for key, z in theirs["records"][str(k)].items()}
+        record = {key: np.array(values) for key, values in theirs["records"][str(k)].items()}
         step = found.steps[k]
         for node, point, frame in ((2, 4, 5), (3, 7, 8)):
             for own, number in ((step.node(node).position, point), (step.node(node).quaternion, frame)):
@@ -203,7 +205,7 @@ def test_two_leaf_springs_come_out_as_in_spacar() -> None:
                 assert own == pytest.approx(record["X"][places], abs=1e-14)
         for element in (1, 3):
             places = [i - 1 for i in theirs["LE"][element - 1] if i]
-            stresses = [step.state.force(f"element {element}.{z}") for z in modes]
+            stresses = [step.state.force(f"element {element}.{mode}") for mode in modes]
             assert stresses == pytest.approx(record["SIG"][places], abs=1e-9 * abs(record["SIG"]).max())
 
 
@@ -222,8 +224,10 @@ def test_weight_bends_a_cantilever() -> None:
 
 def test_modal_damping_gives_every_mode_the_same_ratio() -> None:
     step = fx.flexure(*tables.guide(beams=1)).steps[0]
-    found = sorted((z for z in step.linearize(0.02).modes() if z.omega > 0), key=lambda z: z.omega)
-    assert [z.damping for z in found] == pytest.approx([0.02] * len(found), rel=1e-6)
+    found = sorted(
+        (mode for mode in step.linearize(0.02).modes() if mode.omega > 0), key=lambda mode: mode.omega
+    )
+    assert [mode.damping for mode in found] == pytest.approx([0.02] * len(found), rel=1e-6)
     assert found[0].hertz == pytest.approx(step.frequencies[0], rel=1e-6)
     A, B, C, D = step.linearize(0.02).state_space(["node 5.x"], ["node 5.x"])
     static = (D - C @ np.linalg.solve(A, B))[0, 0]
@@ -240,7 +244,7 @@ def test_a_mode_moves_the_nodes_as_the_mechanism_does() -> None:
 
 def test_nothing_without_mass_vibrates() -> None:
     nodes, elements, properties, groups = tables.guide(mass=0.0, inertia=None)
-    light = {z: v for z, v in groups[0].items() if z != "material"} | {"E": 206e9, "nu": 0.3}
+    light = {key: v for key, v in groups[0].items() if key != "material"} | {"E": 206e9, "nu": 0.3}
     found = fx.flexure(nodes, elements, properties, [light])
     assert found.frequencies.shape == (1, 0)
     assert "-" in str(found.steps[0])

@@ -13,7 +13,7 @@ LOAD = np.linspace(0, 1, 5)
 
 def listed(rows: list[dict[int, float]]) -> tuple[np.ndarray, np.ndarray]:
     """Values in increasing order, and unit shapes of the modes by their numbers, in the same order."""
-    ordered = [sorted(row.items(), key=lambda z: z[1]) for row in rows]
+    ordered = [sorted(row.items(), key=lambda pair: pair[1]) for row in rows]
     values = np.array([[f for _, f in row] for row in ordered])
     return values, np.array([[np.eye(4)[k] for k, _ in row] for row in ordered])
 
@@ -53,14 +53,14 @@ def test_the_figure_has_a_line_for_each_mode_by_name() -> None:
     hinge = fx.flexure(
         *tables.hinge(tables.IDEAL, moment=(0, 0, 0.6)), {"steps": 8, "frequencies": 4, "buckling": 0}
     )
-    panel = next(z for z in hinge.plot().axes if z.get_ylabel() == "frequency [Hz]")
+    panel = next(axes for axes in hinge.plot().axes if axes.get_ylabel() == "frequency [Hz]")
     f = hinge.frequencies[:, :3]
     lines = {line.get_label(): np.asarray(line.get_ydata()) for line in panel.lines}
     drawn = np.sort(np.array(list(lines.values())), axis=0)[:3].T  # NaN last
     assert np.allclose(drawn, f)
     assert all(name.startswith("node ") for name in lines)
     places = [
-        {int(np.argmin(abs(hinge.frequencies[i] - f))) for i, f in enumerate(z) if np.isfinite(f)}
-        for z in lines.values()
+        {int(np.argmin(abs(hinge.frequencies[i] - f))) for i, f in enumerate(line) if np.isfinite(f)}
+        for line in lines.values()
     ]
-    assert any(len(z) > 1 for z in places)  # two cross, and keep their lines
+    assert any(len(columns) > 1 for columns in places)  # two cross, and keep their lines

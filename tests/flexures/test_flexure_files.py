@@ -25,8 +25,8 @@ def test_a_file_gives_back_every_result(found: fx.Flexure, suffix: str, tmp_path
     read = fx.load(found.save(tmp_path / f"guide{suffix}"))
     assert isinstance(read, fx.Flexure)
     assert read.variables.keys() == found.variables.keys()
-    for name, z in found.variables.items():
-        assert np.array_equal(read.variables[name].values, z.values, equal_nan=True), name
+    for name, variable in found.variables.items():
+        assert np.array_equal(read.variables[name].values, variable.values, equal_nan=True), name
     assert (read.released, read.redundant, read.notes) == (found.released, found.redundant, found.notes)
     assert str(read) == str(found)
     a, b = read.steps[-1], found.steps[-1]
@@ -85,7 +85,9 @@ def test_pictures_and_pages_are_written(found: fx.Flexure, tmp_path: Path) -> No
     found.steps[-1].plot_mode(2, tmp_path / "mode.png")
     found.view(tmp_path / "steps.html")
     found.steps[-1].view_modes(tmp_path / "modes.html")
-    assert all(z.stat().st_size > 5000 for z in tmp_path.iterdir()) and len(list(tmp_path.iterdir())) == 6
+    assert (
+        all(path.stat().st_size > 5000 for path in tmp_path.iterdir()) and len(list(tmp_path.iterdir())) == 6
+    )
     with pytest.raises(fx.ModelError, match="step 3; give a whole number, at most 2"):
         found.plot_shapes(3)
 

@@ -65,7 +65,7 @@ def test_a_rigid_loop_is_released_by_name() -> None:
     rows: dict[int, Any] = {5: {"fixed": True}, 3: {"force": (0.1, 0, 0), "mass": 1.0}}
     found = fx.flexure(nodes, [[1, 2], [2, 3], [3, 4], [4, 1], [5, 1]], rows, [tables.leaf([5])])
     assert len(found.released) == 6
-    assert {z.split(".")[0] for z in found.released} <= {f"element {i}" for i in (1, 2, 3, 4)}
+    assert {name.split(".")[0] for name in found.released} <= {f"element {i}" for i in (1, 2, 3, 4)}
     open_loop = fx.flexure(nodes, [[1, 2], [2, 3], [3, 4], [5, 1]], rows, [tables.leaf([4])])
     assert open_loop.released == ()
     for a, b in zip(found.steps, open_loop.steps, strict=True):
@@ -80,7 +80,7 @@ def test_a_rigid_element_between_supports_is_released() -> None:
         [tables.leaf([2])],
     )
     assert sorted(found.released) == [
-        f"element 1.{z}" for z in ("bend1", "bend2", "bend3", "bend4", "elongation", "torsion")
+        f"element 1.{mode}" for mode in ("bend1", "bend2", "bend3", "bend4", "elongation", "torsion")
     ]
 
 

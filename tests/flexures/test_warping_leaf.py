@@ -71,7 +71,7 @@ def test_two_elements_in_line_warp_as_one(second: list[int]) -> None:
 def test_sections_stay_plane_where_something_else_holds_them(places: Any, middle: dict[str, Any]) -> None:
     leaves = group(20e-3, 2, elements=[1, 2], orientation=(0, 0, 1))
     m = fx.flexure_model(places, [[1, 3], [3, 2]], {1: {"fixed": True}, 3: middle}, [leaves])
-    held = [z.name for z in m.nodes.values() if z.kind == "warping" and z.fixed.all()]
+    held = [node.name for node in m.nodes.values() if node.kind == "warping" and node.fixed.all()]
     assert held == [f"element {i} warping {end}" for i in (1, 2) for end in "pq"]
     line = fx.flexure_model([*NODES, [LENGTH / 2, 0, 0]], [[1, 3], [3, 2]], {1: {"fixed": True}}, [leaves])
     assert not line.nodes["warping 3"].fixed.any()
@@ -112,6 +112,7 @@ def test_bad_tables_are_refused(more: dict[str, Any], message: str) -> None:
 def test_groups_have_colours_in_pictures() -> None:
     leaves = group(50e-3, 2, colour=(0.2, 0.4, 0.6), opacity=0.5)
     m = fx.flexure_model(NODES, [[1, 2]], HELD, [leaves])
-    assert {(z.look.colour, z.look.opacity) for z in m.instances.values() if z.look} == {("#336699", 0.5)}  # type: ignore[attr-defined]
+    looks = [part.look for part in m.instances.values() if part.look]
+    assert {(look.colour, look.opacity) for look in looks} == {("#336699", 0.5)}  # type: ignore[attr-defined]
     hidden = fx.flexure_model(NODES, [[1, 2]], HELD, [group(50e-3, 1, hidden=True)])
     assert hidden.instances["element 1"].look.hidden  # type: ignore[attr-defined]

@@ -64,7 +64,7 @@ def test_a_small_vibration_that_is_all_that_moves_is_not_stiff() -> None:
 
 @pytest.mark.parametrize(
     ("rates", "method"),
-    [((1.0, 1.0), "Radau"), ((1.0, 1.000001), "generalized-alpha"), ((1.0, -1.0), "DOP853")],
+    [((1.0, 1.0), "Radau"), ((1.0, 1.000001), "Radau"), ((1.0, -1.0), "DOP853")],
 )
 def test_a_motion_is_stiff_if_what_is_fast_rests(rates: tuple[float, float], method: str) -> None:
     """Masses that move together, with a vibration of 3e-11 of their motion, and against one another at 1.4e4 rad/s."""
@@ -84,6 +84,45 @@ def test_a_stiff_motion_is_right() -> None:
     np.testing.assert_allclose(motion["A.x"], 1 + np.sin(omega * motion.t) / omega, atol=1e-8)
 
 
+def test_a_vibration_that_is_small_beside_the_motion_is_not_followed() -> None:
+    """5e-7 of the rates at 1.4e4 rad/s, for 5.7e4 radians: the rates miss it, the positions miss 4e-11 m."""
+    motion = masses(1e8, (1.0, 1.000001)).simulate(4.0, samples=9)
+    assert motion.message.startswith(
+        "reached the end (Radau, chosen because it takes fewer evaluations than DOP853"
+    )
+    assert motion.statistics["evaluations"] < 40_000  # DOP853: 700 000
+    omega, rate = np.sqrt(0.5), 1.0000005  # of both masses on the soft spring
+    np.testing.assert_allclose(motion["A.x"], 1 + rate * np.sin(omega * motion.t) / omega, atol=2e-8)
+    np.testing.assert_allclose(motion["A.x'"], rate * np.cos(omega * motion.t), atol=1e-6)
+
+
+def test_functions_of_the_user_in_laws_are_not_called_by_trials() -> None:
+    """A controller in Python may keep something from call to call: the eigenvalues decide alone."""
+    times: list[float] = []
+
+    def control(t: float, y: Any) -> Any:
+        times.append(t)
+        return -0.5 * y[0]
+
+    m = fx.Model()
+    A, B = m.point("A", (1, 0)), m.point("B", (1.5, 0))
+    m.fix("A.y", "B.y")
+    m.truss("hard", A, B, stiffness=1e8)
+    for point in (A, B):
+        m.point_mass(f"mass {point.name}", point, 1.0)
+        m.initial(f"{point.name}.x", rate=1.0)
+    m.controller(function=control, inputs=["A.x'"], outputs=["A.x"], name="c")
+    system = m.build()
+    method, why = chosen(system, 10.0)
+    assert method == "Radau" and why.startswith(
+        "Radau, chosen because laws call functions, which are not tried; max|"
+    )
+    assert set(times) == {0.0}  # of the start alone
+    motion = system.simulate(10.0, samples=5)
+    np.testing.assert_allclose(motion["A.x'"], np.exp(-0.25 * motion.t), atol=1e-6)
+    assert chosen(system, 0.1)[0] == "DOP853"
+
+
 def test_an_unstable_mode_at_rest_counts_as_moving() -> None:
     """A needle upright on its tip rests, but any disturbance grows by 3.1 1/s."""
     m = fx.Model(gravity=(0, -9.81))
@@ -94,15 +133,15 @@ def test_an_unstable_mode_at_rest_counts_as_moving() -> None:
 
 
 def test_knots_of_tables_are_steps_of_every_method() -> None:
-    """A road of 40 points a second: 1.4e4 rad/s for 4 s are stiff with a smooth load, not with 1600 knots."""
+    """A load with 1600 knots in 4 s, at which Radau takes 35 000 evaluations and DOP853 at least ten times as many."""
     t = np.linspace(0, 4, 1601)
     road = fx.Table(t, np.sin(t), kind="linear")
-    assert chosen(masses(1e8, load=road), 4.0)[0] == "DOP853"
+    assert chosen(masses(1e8, load=road), 4.0)[0] == "Radau"
     assert chosen(masses(1e8), 4.0)[0] == "Radau"
 
 
-def test_large_models_are_integrated_implicitly_earlier() -> None:
-    """A steel wire of 1 m with 180 degrees of freedom that starts to sag, for 1 s, beside one with 15."""
+def test_large_models_count_as_stiff_earlier() -> None:
+    """A steel wire of 1 m with 180 degrees of freedom that starts to sag, beside one with 15; all of it vibrates."""
 
     def wire(count: int) -> fx.System:
         m = fx.Model(gravity=(0, 0, -9.81))
@@ -123,7 +162,7 @@ def test_large_models_are_integrated_implicitly_earlier() -> None:
     small, large = wire(5), wire(60)
     assert chosen(small, long(small))[0] == "DOP853"
     method, why = chosen(large, long(large))
-    assert method == "generalized-alpha" and why.endswith("above 5e+03")
+    assert method == "DOP853" and why.endswith("above 5e+03; Radau would not take fewer evaluations")
 
 
 def orifice(e: Any, ed: Any) -> Any:
@@ -131,7 +170,7 @@ def orifice(e: Any, ed: Any) -> Any:
     return sp.sign(ed) * sp.sqrt(sp.Abs(ed))
 
 
-@pytest.mark.parametrize(("stiffness", "method"), [(1e9, "generalized-alpha"), (100.0, "DOP853")])
+@pytest.mark.parametrize(("stiffness", "method"), [(1e9, "Radau"), (100.0, "DOP853")])
 def test_a_start_that_cannot_be_linearized_is_judged_a_little_later(stiffness: float, method: str) -> None:
     system = masses(stiffness, (0.0, 0.0), orifice, 1.0)
     with pytest.raises(fx.FlexelError):

@@ -34,9 +34,9 @@ SIMULATIONS = {
     "negative absolute tolerance": system(lambda s: s.simulate(1, atol=-5), "atol", "give more than"),
     "no step": system(lambda s: s.simulate(1, max_step=0), "max_step", "give more than"),
     "event not in a list": system(lambda s: s.simulate(1, events=E1), "events", "[Event(name, function)]"),
-    "function for an event": system(lambda s: s.simulate(1, events=[lambda z: 1]), "events", "[Event("),
+    "function for an event": system(lambda s: s.simulate(1, events=[lambda state: 1]), "events", "[Event("),
     "event upwards": system(
-        lambda s: s.simulate(1, events=[Event("e", lambda z: 1.0, direction="up")]),
+        lambda s: s.simulate(1, events=[Event("e", lambda state: 1.0, direction="up")]),
         "event 'e'",
         "direction 'up'",
         "give 1 (up)",
@@ -45,13 +45,13 @@ SIMULATIONS = {
         lambda s: s.simulate(1, events=[Event("e", 3.0)]), "event 'e'", "3.0 is not a function", "lambda s"
     ),
     "event of nothing": system(
-        lambda s: s.simulate(1, events=[Event("e", lambda z: None)]), "event 'e'", "give real"
+        lambda s: s.simulate(1, events=[Event("e", lambda state: None)]), "event 'e'", "give real"
     ),
     "event of NaN": system(
-        lambda s: s.simulate(1, events=[Event("e", lambda z: math.nan)]), "event 'e'", "give finite"
+        lambda s: s.simulate(1, events=[Event("e", lambda state: math.nan)]), "event 'e'", "give finite"
     ),
     "event of an unknown quantity": system(
-        lambda s: s.simulate(1, events=[Event("e", lambda z: z["A.q"])]), "'A.q'", "'A' has A.x"
+        lambda s: s.simulate(1, events=[Event("e", lambda state: state["A.q"])]), "'A.q'", "'A' has A.x"
     ),
     "start of another model": system(
         lambda s: s.simulate(1, start=pendulum().build().initial), "simulate", "another model", "of this one"

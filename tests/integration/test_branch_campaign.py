@@ -13,10 +13,10 @@ SCIPY = {"RK45": (1e-9, 1e-3), "LSODA": (1e-9, 1e-3), "Radau": (1e-6, 1e-3), "BD
 
 
 def judge(family: str, method: str, rtol: float, every: int, own: bool = False) -> None:
-    verdicts = [verdict(z, method, rtol, own) for z in cases(family, every)]
+    verdicts = [verdict(case, method, rtol, own) for case in cases(family, every)]
     found = f"{family}{', own choice' * own}, {method} at {rtol:g}: {table(verdicts)}"
     print(found)
-    assert not any(z.fails for z in verdicts), found
+    assert not any(verdict.fails for verdict in verdicts), found
 
 
 @pytest.mark.parametrize("family", COUNTS)

@@ -7,7 +7,8 @@ import pytest
 
 import flexel as fx
 from flexel.derive import Internal, Law, Parameter, symbol
-from flexel.derive.compile import CompiledLaw, compile_law
+from flexel.derive.compiled import CompiledLaw
+from flexel.derive.user_definitions import compile_law
 
 METHOD = "generalized-alpha"
 E, ED, U, V, C = (symbol(name) for name in ("e", "ed", "u", "v", "c"))
@@ -71,7 +72,7 @@ def test_an_unstable_vibration_that_long_steps_hold_at_rest_is_named() -> None:
     assert np.abs(motion["A.x"][-1] - 0.1) < 1e-7  # 15 um in truth
 
 
-@pytest.mark.parametrize(("step", "warned"), [(0.052, True), (0.0005, False)])
+@pytest.mark.parametrize(("step", "warned"), [(0.08, True), (0.0005, False)])
 def test_a_free_rotor_that_long_steps_slow_down_is_named(step: float, warned: bool, tmp_path: Path) -> None:
     """A warning names the method, the energy that it took out, and the step."""
     m = fx.Model()
@@ -87,7 +88,7 @@ def test_a_free_rotor_that_long_steps_slow_down_is_named(step: float, warned: bo
     with pytest.warns(
         fx.DampingWarning, match=r"generalized-alpha has taken out \d+ J, \d+% .*mean step 0.0"
     ):
-        motion = system.simulate(20.0, method=METHOD, step=step)
+        motion = system.simulate(40.0, method=METHOD, step=step)
     kinetic = motion.energy_balance()["kinetic"]
     assert kinetic[-1] < 0.2 * kinetic[0]
     assert len(motion.warnings) == 1

@@ -5,8 +5,8 @@ import pytest
 from scipy.special import ellipk
 
 import flexel as fx
+from flexel.integration.balance import Saddle
 from flexel.integration.contact_watch import ContactWatch
-from flexel.mechanics.balance import Saddle
 
 METHODS = ("DOP853", "RK45", "Radau", "BDF", "LSODA", "auto")
 HEIGHT = 4.0**2 / (2 * 9.81)  # of a throw at 4 m/s [m]

@@ -4,7 +4,7 @@ import pytest
 
 import flexel as fx
 from flexel.examples import rope_models as models
-from flexel.rope.rope import Rope
+from flexel.parts.rope import Rope
 
 
 @pytest.fixture(scope="module")

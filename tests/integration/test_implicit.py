@@ -93,7 +93,7 @@ def test_rolling_wheels_keep_their_conditions_on_the_rates() -> None:
     )
     for name in ("lean.angle", "steer.angle", "rear contact.x", "yaw.angle"):
         np.testing.assert_allclose(implicit[name], explicit[name], atol=1e-4)
-    slips = [z.rates[system.roles.zero] for z in implicit]
+    slips = [state.rates[system.roles.zero] for state in implicit]
     assert np.max(np.abs(slips)) < 1e-8
 
 
@@ -103,7 +103,7 @@ def test_high_frequencies_die_out_with_the_given_spectral_radius(radius: float) 
     h = 1.0
     system = oscillator(1e4, 1e-5)  # ω h = 100
     motion = fixed_steps(system, 40 * h, h, radius)
-    envelope = np.abs(motion["P.x"] - 1) + np.abs([z.rate("P.x") * h for z in motion]) * 1e-2
+    envelope = np.abs(motion["P.x"] - 1) + np.abs([state.rate("P.x") * h for state in motion]) * 1e-2
     late, early = np.max(envelope[30:33]), np.max(envelope[20:23])
     if radius == 0.0:
         assert late < 1e-10
@@ -116,7 +116,7 @@ def test_high_frequencies_die_out_with_the_given_spectral_radius(radius: float) 
 def test_low_frequencies_keep_their_energy() -> None:
     system = oscillator(1.0, 0.5)
     motion = fixed_steps(system, 20 * np.pi, 2 * np.pi / 100, 0.9)
-    E = np.array([0.5 * z.rate("P.x") ** 2 + 0.5 * (z["P.x"] - 1) ** 2 for z in motion])
+    E = np.array([0.5 * state.rate("P.x") ** 2 + 0.5 * (state["P.x"] - 1) ** 2 for state in motion])
     assert np.all(np.abs(E / 0.125 - 1) < 2e-3)
     damped = fixed_steps(system, 20 * np.pi, 2 * np.pi / 100, 0.0)[-1]
     assert 0.5 * damped.rate("P.x") ** 2 + 0.5 * (damped["P.x"] - 1) ** 2 < E[-1]
@@ -143,7 +143,7 @@ def leaf_spring(n: int = 4) -> fx.System:
 def test_a_stiff_leaf_spring_takes_steps_of_the_slow_motion() -> None:
     system = leaf_spring()
     motion = system.simulate(1.0, method="generalized-alpha", rtol=1e-6, samples=51, progress=False)
-    fast = max(z.omega for z in system.vibrations(count=12))
+    fast = max(mode.omega for mode in system.vibrations(count=12))
     slow = system.vibrations(count=1)[0].omega
     assert motion.statistics["steps"] < fast * 1.0 / 100  # an explicit method needs about fast * duration / 3
     static = system.equilibrium()["P4.y"]
@@ -155,8 +155,8 @@ def test_tighter_tolerances_give_smaller_errors_in_more_steps() -> None:
     system = pendulum()
     exact = system.simulate(1.0, rtol=1e-12, atol=1e-13, progress=False)[-1]["A.z"]
     runs = [
-        system.simulate(1.0, method="generalized-alpha", rtol=z, samples=2, progress=False)
-        for z in (1e-5, 1e-7, 1e-9)
+        system.simulate(1.0, method="generalized-alpha", rtol=rtol, samples=2, progress=False)
+        for rtol in (1e-5, 1e-7, 1e-9)
     ]
     errors = [abs(run[-1]["A.z"] - exact) for run in runs]
     steps = [run.statistics["steps"] for run in runs]

@@ -8,7 +8,8 @@ from scipy.linalg import expm
 
 import flexel as fx
 from flexel.derive import TIME, Internal, Law, Parameter, symbol
-from flexel.derive.compile import CompiledLaw, compile_law
+from flexel.derive.compiled import CompiledLaw
+from flexel.derive.user_definitions import compile_law
 from flexel.linear.orbits import orbit
 from flexel.mechanics.modes import sort_eigenvalues
 

@@ -30,7 +30,7 @@ def cables() -> fx.System:
 def test_steps_do_not_become_ever_shorter_where_rates_are_noisy(seed: int) -> None:
     """Each step was refused once for rounding errors of its rates, and the next one began no longer than it."""
     s, rng = cables(), np.random.default_rng(seed)
-    start = s.state_at(rates={z: rng.uniform(-5, 5) for z in s.dynamic})
+    start = s.state_at(rates={name: rng.uniform(-5, 5) for name in s.dynamic})
     motion = s.simulate(2e-3, start=start, **TIGHT)
     back = s.state(2e-3, motion[-1].x, -motion[-1].v)
     again = s.simulate(2e-3, start=back, **TIGHT)

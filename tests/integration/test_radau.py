@@ -10,11 +10,16 @@ from controlled import carriage, spring_law
 from scipy.integrate import solve_ivp
 
 import flexel as fx
+from flexel.benchmarks.ropes import rope
 from flexel.derive import Internal, Law, Parameter, symbol
 from flexel.examples.bicycle import bicycle, kick
 from flexel.generated._kernels import ffi, lib
+from flexel.integration import radau_saddle
+from flexel.integration.jacobian import jacobian
+from flexel.integration.radau_saddle import SaddleFactors
 from flexel.integration.radau_steps import Collocation
 from flexel.integration.radau_tableau import CORRECTION, NODES, PAIR, REAL, WEIGHTS, T
+from flexel.model.snapshot import Snapshot
 
 STIFF = 50.0  # of Van der Pol's equation
 W = 2.0  # of the oscillator [rad/s]
@@ -93,6 +98,65 @@ def test_the_linear_systems_of_a_step_leave_out_the_values_whose_rates_are_varia
     assert lib.flexel_radau_factorize(steps.struct, h) == 1
 
 
+def swing(count: int, tip: float = 0.0, gravity: float = 9.81) -> fx.System:
+    """Beams in a row with damping, hinged at one end, with a rate of the other one [m/s]."""
+    m = fx.Model(gravity=(0, -gravity))
+    m.point("P0", (0, 0), fixed=True)
+    m.angle("R0")
+    for i in range(count):
+        m.point(f"P{i + 1}", ((i + 1) / count, 0))
+        m.angle(f"R{i + 1}")
+        ends = f"P{i}", f"R{i}", f"P{i + 1}", f"R{i + 1}"
+        m.beam(f"b{i}", *ends, EA=1e6, EIz=10.0, mass_per_length=1.0, damping=1e-4)
+    for i in range(count):
+        m.initial(f"P{i + 1}.y", rate=tip * (i + 1) / count)
+    return m.build()
+
+
+def solved(system: fx.System, h: float, b: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Solutions with the sparse factors at the start for the real number over h, and for the complex one."""
+    factors, state = SaddleFactors(system.kinematics), system.initial
+    factors.look(system.kinematics, Snapshot.of(state), state.z)
+    pair = np.array([PAIR.real, PAIR.imag]) / h
+    numbers = ffi.from_buffer("double[]", pair)
+    assert lib.flexel_radau_saddle_factorize(factors.struct, REAL / h, numbers) == 0
+    x, paired = b.copy(), b + 2j * b[::-1]
+    lib.flexel_radau_saddle_solve(factors.struct, REAL / h, ffi.from_buffer("double[]", x))
+    lib.flexel_radau_saddle_solve_pair(
+        factors.struct, numbers, ffi.from_buffer("double[]", paired.view(float))
+    )
+    return x, paired
+
+
+@pytest.mark.parametrize(("tip", "gravity", "error"), [(0.0, 0.0, 1e-9), (0.3, 9.81, 3e-3)])
+def test_sparse_factors_solve_the_systems_of_dense_ones(tip: float, gravity: float, error: float) -> None:
+    """In motion to first order in the angle of a step, which is 0.003 rad; against NumPy with the linearization."""
+    system, h = swing(5, tip, gravity), 0.01
+    J = jacobian(system.kinematics, Snapshot.of(system.initial), system.initial.z)
+    b = np.random.default_rng(3).normal(size=len(J)) * np.repeat([1e-3, 1.0], len(J) // 2)
+    x, paired = solved(system, h, b)
+    one = np.eye(len(J))
+    for found, shift, side in ((x, REAL / h, b), (paired, PAIR / h, b + 2j * b[::-1])):
+        exact = np.linalg.solve(shift * one - J, side)
+        for part in np.split(np.arange(len(J)), 2):  # values and rates
+            assert np.max(np.abs(found - exact)[part]) < error * np.max(np.abs(exact[part]))
+
+
+def test_steps_with_sparse_factors_are_those_with_dense_ones(monkeypatch: pytest.MonkeyPatch) -> None:
+    """37 degrees of freedom; a swing of beams, and of rigid links that change their degrees of freedom."""
+    m = fx.Model(gravity=(0, -9.81))
+    chain = m.chain("chain", [(0, 0), (1, 0)], 37, mass_per_length=1.0)
+    m.fix(chain.points[0])
+    for system, rtol, change in ((swing(12), 1e-4, False), (m.build(), 1e-5, True)):
+        monkeypatch.setattr(radau_saddle, "FEWEST", 32)
+        found = system.simulate(0.5, samples=6, method="Radau", rtol=rtol)
+        monkeypatch.setattr(radau_saddle, "FEWEST", 1000)
+        dense = system.simulate(0.5, samples=6, method="Radau", rtol=rtol)
+        assert np.max(np.abs(found.x - dense.x)) < 10 * rtol
+        assert found.statistics["evaluations"] < 1.1 * dense.statistics["evaluations"]
+        assert bool(found.rechoices) == change
+
+
 def test_the_error_at_the_end_is_of_order_five_and_between_the_steps_no_larger() -> None:
     """Harmonic oscillator in equal steps: closed form."""
     s, times = oscillator(), np.linspace(0, 4, 401)
@@ -154,6 +218,18 @@ def test_a_stiff_bar_does_not_limit_the_steps() -> None:
     motion = s.simulate(1.0, method="Radau", rtol=1e-3)
     assert np.max(np.abs(motion.position("A") - exact.position("A"))) < 1e-4
     assert motion.statistics["steps"] < exact.statistics["steps"] / 5
+
+
+@pytest.mark.filterwarnings("ignore:.*small beside the model")
+def test_rounding_errors_of_stiff_positions_do_not_shorten_the_steps() -> None:
+    cables = rope(6)  # an error of 1e-15 in a strain is one of 1e-10 m/s in the rates of each stage
+    motion, tight = (
+        cables.simulate(1e-3, method="Radau", rtol=rtol, samples=4, progress=False) for rtol in (1e-8, 1e-10)
+    )
+    counts = motion.statistics
+    assert counts["rejected"] < 0.01 * counts["steps"]
+    assert counts["evaluations"] < 7.1 * counts["steps"]
+    assert np.abs(motion.x - tight.x).max() < 1e-9 * np.ptp(tight.x, axis=0).max()
 
 
 def test_the_error_is_proportional_to_the_tolerance() -> None:
@@ -268,8 +344,12 @@ def test_a_sampled_controller_does_not_shorten_the_steps() -> None:
     assert counts[1] - counts[0] == 40
 
 
-def test_a_law_that_has_no_slope_where_the_motion_starts_or_passes() -> None:
+@pytest.mark.parametrize("fewest", [1, 32])
+def test_a_law_that_has_no_slope_where_the_motion_starts_or_passes(
+    monkeypatch: pytest.MonkeyPatch, fewest: int
+) -> None:
     """Dry friction that grows with the root of the speed, from rest: against DOP853."""
+    monkeypatch.setattr(radau_saddle, "FEWEST", fewest)
     m = along_x()
     m.law(
         "bar.elongation",

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import flexel as fx
+from flexel.integration import stiffness
 from flexel.integration.explicit import METHODS
 from flexel.integration.methods import OPTIONS
 
@@ -18,7 +19,7 @@ GIVEN: dict[str, Any] = {  # an option with a value that a method which has it a
     "spectral_radius": 0.5,
     "newton": "modified",
     "max_order": 3,
-    "events": [fx.Event("low", lambda z: z["P.x"] - 1.0)],
+    "events": [fx.Event("low", lambda state: state["P.x"] - 1.0)],
     "rechoose": False,
 }
 
@@ -48,7 +49,7 @@ def test_every_method_takes_its_options_and_refuses_those_of_others_by_name(meth
         system.simulate(0.1, method=method, **{name: GIVEN[name]})
     message = str(caught.value)
     assert message.startswith(f"simulate: {name} is not an option of method '{method}'")
-    assert all(z in message for z in OPTIONS if name in OPTIONS[z])
+    assert all(other in message for other in OPTIONS if name in OPTIONS[other])
 
 
 @pytest.mark.parametrize("name", ["rtol", "atol", "first_step", "max_step"])
@@ -60,7 +61,8 @@ def test_a_constant_step_leaves_no_meaning_to_tolerances_and_limits(name: str) -
 def test_explicit_is_chosen_where_nothing_speaks_against_it() -> None:
     motion = oscillator().simulate(1.0)
     assert motion.message == (
-        "reached the end (DOP853, chosen because max|λ|·duration = 10 at t = 0 s, at most 3e+04)"
+        "reached the end (DOP853, chosen because max|λ|·duration = 10 at t = 0 s, at most 3e+04; "
+        f"{motion.verdict})"
     )
     assert motion.dense
 
@@ -85,22 +87,34 @@ def test_what_lacks_inertia_is_integrated_implicitly_and_named_by_explicit_metho
         system.simulate(0.5, method="DOP853")
 
 
-def test_many_degrees_of_dof_are_integrated_implicitly_without_eigenvalues(
-    monkeypatch: pytest.MonkeyPatch,
+@pytest.mark.parametrize(
+    ("most", "why"),
+    [
+        (
+            1000,
+            "DOP853, chosen because 303 degrees of freedom, above 300; Radau would not take fewer evaluations",
+        ),
+        (302, "generalized-alpha, chosen because 303 degrees of freedom, above 302"),
+    ],
+)
+def test_the_method_for_many_degrees_of_freedom_is_chosen_without_eigenvalues(
+    monkeypatch: pytest.MonkeyPatch, most: int, why: str
 ) -> None:
+    """By trials alone, or not at all."""
+    monkeypatch.setattr(stiffness, "MANY", most)
     m = fx.Model(gravity=(0, 0, -9.81))
     for i in range(101):
         m.point_mass(f"mass{i}", m.point(f"P{i}", (i, 0, 0)), 1.0)
     system = m.build()
     monkeypatch.setattr(type(system), "linearize", None)
     motion = system.simulate(0.1, samples=3)
-    assert motion.message.endswith("(generalized-alpha, chosen because 303 degrees of freedom, above 300)")
+    assert motion.message == f"reached the end ({why}; {motion.verdict})"
     assert motion["P7.z"][-1] == pytest.approx(-9.81 * 0.1**2 / 2, rel=1e-6)
 
 
 def test_a_vibration_up_to_an_event_is_followed() -> None:
     system = oscillator(stiffness=1e8)
-    event = fx.Event("passage", lambda z: z["P.x"] - 1.0, terminal=True)
+    event = fx.Event("passage", lambda state: state["P.x"] - 1.0, terminal=True)
     motion = system.simulate(4.0, events=[event])
     assert motion.message.startswith(
         "stopped by event 'passage' (DOP853, chosen because max|λ|·duration = 4e+04"
@@ -116,7 +130,7 @@ def test_a_prescribed_motion_is_followed_with_its_events() -> None:
     system = m.build()
     motion = system.simulate(1.0, samples=5)
     assert motion.message == "reached the end (not integrated: every motion is prescribed)"
-    event = fx.Event("quarter", lambda z: z["P.x"] - 0.25, terminal=True)
+    event = fx.Event("quarter", lambda state: state["P.x"] - 0.25, terminal=True)
     stopped = system.simulate(1.0, samples=5, events=[event])
     assert stopped.t[-1] == pytest.approx(0.5, abs=1e-12)
     assert stopped.events[0][0] == "quarter"
@@ -159,7 +173,7 @@ def test_tolerances_scale_with_the_model(method: str) -> None:
     options: dict[str, Any] = (
         {"samples": 3, "rtol": 1e-12, "atol": 1e-6} if method == "DOP853" else {"atol": 1e-6}
     )
-    small, large = (oscillator(size=z).simulate(1.0, method=method, **options) for z in (1.0, 1000.0))
+    small, large = (oscillator(size=size).simulate(1.0, method=method, **options) for size in (1.0, 1000.0))
     assert small.statistics["steps"] == large.statistics["steps"]
     np.testing.assert_allclose(1000 * small["P.x"], large["P.x"], rtol=1e-9)
     loose = oscillator(size=1000.0).simulate(1.0, method=method, **(options | {"atol": 1e-4}))
@@ -169,7 +183,8 @@ def test_tolerances_scale_with_the_model(method: str) -> None:
 def test_each_variable_may_have_its_absolute_tolerance() -> None:
     system = oscillator(size=1000.0)
     one, each = (
-        system.simulate(1.0, method="DOP853", samples=3, atol=z, rechoose=False) for z in (1e-9, [1e-9, 1e-9])
+        system.simulate(1.0, method="DOP853", samples=3, atol=atol, rechoose=False)
+        for atol in (1e-9, [1e-9, 1e-9])
     )
     assert np.array_equal(one.x, each.x)
     for wrong, words in (([1e-9], "has shape"), ([1e-9, -1.0], "too small")):

@@ -10,8 +10,8 @@ from flexel.base.errors import FlexelError, ModelError
 from flexel.base.time_functions import Harmonic, Polynomial, Ramp, as_function
 from flexel.base.time_tables import Table
 from flexel.integration.events import Event
-from flexel.model import Model
-from flexel.system import System
+from flexel.parts.model import Model
+from flexel.results.system_facade import System
 
 
 def falling(damping: float = 0.0) -> Model:
@@ -30,8 +30,8 @@ def test_stone_hits_the_ground_when_the_parabola_says() -> None:
         .simulate(
             2.0,
             events=[
-                Event("ground", lambda z: z["P.z"], terminal=True),
-                Event("top", lambda z: z.rate("P.z")),
+                Event("ground", lambda state: state["P.z"], terminal=True),
+                Event("top", lambda state: state.rate("P.z")),
             ],
         )
     )
@@ -53,12 +53,12 @@ def test_events_are_counted_by_direction(direction: int, count: int) -> None:
     m.initial("pivot.angle", np.pi / 2 - 0.3, rate=0)
     period = 2 * np.pi / np.sqrt(14.715) * (1 + 0.3**2 / 16)
     s = m.build()
-    motion = s.simulate(3 * period, events=[Event("low", lambda z: z["A.x"], direction=direction)])
+    motion = s.simulate(3 * period, events=[Event("low", lambda state: state["A.x"], direction=direction)])
     assert len(motion.events) == count
-    times = np.array([z.t for _, z in motion.events])
+    times = np.array([state.t for _, state in motion.events])
     spacing = period / 2 if direction == 0 else period
     assert np.max(np.abs(np.diff(times) - spacing)) < 1e-3
-    assert np.max(np.abs([z["A.x"] for _, z in motion.events])) < 1e-11
+    assert np.max(np.abs([state["A.x"] for _, state in motion.events])) < 1e-11
 
 
 def test_dense_output_satisfies_the_equations_between_the_samples() -> None:
@@ -262,14 +262,14 @@ def thrown(lift: float = 0.0) -> System:
 
 @pytest.mark.parametrize("lift", [-1e-16, 0.0, 1e-16])
 def test_a_motion_that_starts_at_an_event_does_not_meet_it_at_once(lift: float) -> None:
-    ground = Event("ground", lambda z: z["P.z"], terminal=True)
+    ground = Event("ground", lambda state: state["P.z"], terminal=True)
     motion = thrown(lift).simulate(1.0, max_step=0.1, events=[ground])
     assert motion.t[-1] == pytest.approx(6.0 / 9.81, abs=1e-9)
 
 
 def test_a_motion_goes_on_from_the_event_that_ended_it() -> None:
     """Whichever side of zero the state of the event lies on; the stored states end with it."""
-    top = Event("height", lambda z: z["P.z"] - 0.2, terminal=True, direction=1)
+    top = Event("height", lambda state: state["P.z"] - 0.2, terminal=True, direction=1)
     s = thrown()
     first = s.simulate(1.0, events=[top])
     assert first[-1].t == first.events[0][1].t
@@ -278,7 +278,7 @@ def test_a_motion_goes_on_from_the_event_that_ended_it() -> None:
 
 
 def test_of_two_events_of_one_name_only_the_terminal_one_ends_the_motion() -> None:
-    low = Event("height", lambda z: z["P.z"] - 0.1)
-    high = Event("height", lambda z: z["P.z"] - 0.2, terminal=True)
+    low = Event("height", lambda state: state["P.z"] - 0.1)
+    high = Event("height", lambda state: state["P.z"] - 0.2, terminal=True)
     motion = thrown().simulate(1.0, events=[low, high])
-    assert [z["P.z"] for _, z in motion.events] == pytest.approx([0.1, 0.2])
+    assert [state["P.z"] for _, state in motion.events] == pytest.approx([0.1, 0.2])

@@ -68,7 +68,7 @@ def slipping() -> fx.System:
     return m.build()
 
 
-SYSTEMS = {z.__name__: z for z in (rolling, turning, hanging, steered, slipping)}
+SYSTEMS = {model.__name__: model for model in (rolling, turning, hanging, steered, slipping)}
 START = {"rolling": lambda s: kick(s, 4.5, 0.05)[0]}
 DURATION = {"rolling": 0.3, "turning": 0.4, "hanging": 0.05, "steered": 0.1, "slipping": 0.1}
 
@@ -76,7 +76,7 @@ DURATION = {"rolling": 0.3, "turning": 0.4, "hanging": 0.05, "steered": 0.1, "sl
 def digits(state: fx.State) -> bytes:
     """All numbers of a state."""
     arrays = state.x, state.v, state.a, state.e, state.z, state.zd, state.stresses, state.reactions
-    return b"".join(z.tobytes() for z in arrays)
+    return b"".join(array.tobytes() for array in arrays)
 
 
 def simulated(name: str, method: str) -> Task:
@@ -95,7 +95,7 @@ def linearized(system: fx.System) -> bytes:
     """The matrices of a linearization, and eigenvalues."""
     lin = system.linearize()
     arrays = lin.M, lin.C, lin.K, lin.A_k, lin.B_k, lin.Z, lin.Z_v, lin.Z_q, lin.Z_z, lin.eigenvalues()
-    return b"".join(z.tobytes() for z in arrays)
+    return b"".join(array.tobytes() for array in arrays)
 
 
 def evaluated(system: fx.System) -> bytes:
@@ -116,7 +116,10 @@ else:
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_threads_compute_the_same_digits_as_one_after_another(name: str) -> None:
     """Each thread has another order of tasks; the system, its tables included, is new to all of them."""
-    tasks = {z: simulated(name, z) for z in METHODS} | {"linearize": linearized, "rhs": evaluated}
+    tasks = {method: simulated(name, method) for method in METHODS} | {
+        "linearize": linearized,
+        "rhs": evaluated,
+    }
     alone = SYSTEMS[name]()
     expected = {key: task(alone) for key, task in tasks.items()}
     system, begin, keys = SYSTEMS[name](), Barrier(THREADS), list(tasks)
@@ -128,13 +131,16 @@ def test_threads_compute_the_same_digits_as_one_after_another(name: str) -> None
 
     with ThreadPoolExecutor(THREADS) as pool:
         found = list(pool.map(work, range(THREADS)))
-    wrong = {(i, key) for i, z in enumerate(found) for key in keys if z[key] != expected[key]}
+    wrong = {(i, key) for i, results in enumerate(found) for key in keys if results[key] != expected[key]}
     assert wrong == set()
 
 
 @pytest.mark.parametrize("name", SYSTEMS)
 def test_what_was_computed_before_changes_no_digit(name: str) -> None:
-    tasks = {z: simulated(name, z) for z in METHODS} | {"linearize": linearized, "rhs": evaluated}
+    tasks = {method: simulated(name, method) for method in METHODS} | {
+        "linearize": linearized,
+        "rhs": evaluated,
+    }
     system, keys = SYSTEMS[name](), list(tasks)
     first = {key: tasks[key](system) for key in keys}
     again = {key: tasks[key](system) for key in keys[::-1]}

@@ -52,7 +52,7 @@ def pendulum(m: fx.Model, p: str, q: str, mass: float) -> None:
 
 
 MODELS: dict[str, Callable[[fx.Model], None]] = {
-    z.__name__: z for z in (loose_angle, loose_point, forgotten_mass, smooth_sheave)
+    make.__name__: make for make in (loose_angle, loose_point, forgotten_mass, smooth_sheave)
 }
 
 

@@ -39,13 +39,14 @@ def slope(a: float, w: float) -> float:
 def test_one_harmonic_follows_the_closed_form_through_both_folds() -> None:
     found = duffing().periodic_branch(period=PERIOD, end=2 * np.pi / 1.4, harmonics=1)
     a = np.abs(found.harmonics("P.x")[:, 1])
-    assert max(abs(unbalance(*z)) for z in zip(a, found.omega, strict=True)) < 1e-9
+    assert max(abs(unbalance(*pair)) for pair in zip(a, found.omega, strict=True)) < 1e-9
     assert len(found.folds) == 2
     for i in found.folds:
-        exact = fsolve(lambda z: (unbalance(*z), slope(*z)), (a[i], found.omega[i]))
+        exact = fsolve(lambda pair: (unbalance(*pair), slope(*pair)), (a[i], found.omega[i]))
         assert found.omega[i] == pytest.approx(exact[1], rel=1e-7)
 
 
+@pytest.mark.ci
 def test_folds_do_not_depend_on_the_step_nor_on_the_direction(branch: fx.PeriodicBranch) -> None:
     fine = duffing().periodic_branch(period=PERIOD, end=2 * np.pi / 1.4, harmonics=5, step=0.07)
     assert len(fine) > 2 * len(branch)
@@ -59,7 +60,7 @@ def test_folds_do_not_depend_on_the_step_nor_on_the_direction(branch: fx.Periodi
 def test_a_multiplier_is_one_at_folds_and_larger_between_them(branch: fx.PeriodicBranch) -> None:
     first, last = branch.folds
     assert branch.modulus[[first, last]] == pytest.approx(1, abs=1e-5)
-    assert [z for _, z in branch.stretches] == [True, False, True]
+    assert [stable for _, stable in branch.stretches] == [True, False, True]
     assert branch.stretches[1][0] == slice(first, last + 1)
     assert np.all(branch.modulus[first + 1 : last] > 1)
     assert branch.kinds[0] == branch.kinds[-1] == "end"
@@ -95,7 +96,7 @@ def test_a_disturbed_unstable_motion_leaves_as_its_multiplier_says(branch: fx.Pe
 
 def test_a_system_that_runs_faster_is_the_one_with_faster_motions_and_loads() -> None:
     slow, fast = (oscillator(w, cubic=0.1).simulate(4 / w, samples=9) for w in (1.0, 3.0))
-    found = oscillator(1.0, cubic=0.1).faster(3.0).simulate(4 / 3.0, samples=9)
+    found = oscillator(1.0, cubic=0.1).time_scaled(3.0).simulate(4 / 3.0, samples=9)
     assert found["P.x"] == pytest.approx(fast["P.x"], abs=1e-12)
     assert not np.allclose(found["P.x"], slow["P.x"], atol=1e-3)
     m = fx.Model()
@@ -103,7 +104,7 @@ def test_a_system_that_runs_faster_is_the_one_with_faster_motions_and_loads() ->
     m.fix("A.y")
     m.point_mass("mass", "A", 2.0)
     m.prescribe("A.x", fx.Harmonic(0.5, 2.0, phase=0.3))
-    state = m.build(t=0.4).faster(1.5).initial
+    state = m.build(t=0.4).time_scaled(1.5).initial
     assert state.t == pytest.approx(0.4 / 1.5)
     assert state.rate("A.x") == pytest.approx(1.5 * np.cos(1.1))
     assert state.force("A.x") == pytest.approx(-2.0 * 0.5 * 9 * np.sin(1.1))
@@ -123,13 +124,13 @@ def test_the_derivative_by_the_speed_is_that_of_finite_differences() -> None:
     m.prescribe("motor.angle", fx.Polynomial((0.0, 3.0)))
     m.load("B.y", lambda t: np.sin(6 * t))
     curve = PeriodicCurve(m.build(), 3.0, 24, 3, 1.0)
-    z = np.random.default_rng(1).normal(scale=0.05, size=7)
+    unknowns = np.random.default_rng(1).normal(scale=0.05, size=7)
     h = 1e-5
 
     def force(p: float) -> np.ndarray:
-        return curve.equations(np.append(z, p), None).coefficients.F
+        return curve.equations(np.append(unknowns, p), None).coefficients.F
 
-    here = curve.equations(np.append(z, 0.0), None)
+    here = curve.equations(np.append(unknowns, 0.0), None)
     numerical = (force(h) - force(-h)) / (2 * h)
     A = -curve.pack(here.coefficients.responses(3, numerical)[0])
     assert here.both[:, 1] == pytest.approx(A, abs=1e-7 * np.abs(A).max())

@@ -63,7 +63,7 @@ def test_named_signals_can_be_connected() -> None:
     loop = control.interconnect([plant, gain], inputs=["torque"], outputs=["pivot_angle"])
     m_eff = 0.5 * 2.0 / 2.5  # inertia of the free cart and pendulum about the pivot
     wanted = np.roots([m_eff, 4.0 * 1.0, 30.0 + 0.5 * 9.81])
-    found = np.array([z for z in loop.poles() if abs(z) > 1e-6])
+    found = np.array([pole for pole in loop.poles() if abs(pole) > 1e-6])
     assert sort_eigenvalues(found) == pytest.approx(sort_eigenvalues(wanted), rel=1e-9)
 
 

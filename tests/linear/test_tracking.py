@@ -18,12 +18,14 @@ def pair(k1: float, k2: float, coupling: float = 0.0) -> Array:
 
 def crossing(p: Array, coupling: float = 0.0) -> Branches:
     """Natural frequencies 1 + p and 3 - p, which cross at p = 1."""
-    return Branches.of(p, [pair((1 + z) ** 2, (3 - z) ** 2, coupling) for z in p], ("a", "b", "a", "b"))
+    return Branches.of(
+        p, [pair((1 + value) ** 2, (3 - value) ** 2, coupling) for value in p], ("a", "b", "a", "b")
+    )
 
 
 def bicycle(v: float) -> Array:
     """State matrix of lean and steer of the published benchmark."""
-    M, C1, K0, K2 = (np.array(z) for z in (data.M, data.C1, data.K0, data.K2))
+    M, C1, K0, K2 = (np.array(matrix) for matrix in (data.M, data.C1, data.K0, data.K2))
     lower = np.linalg.solve(M, np.hstack([v * C1, data.BENCHMARK["g"] * K0 + v**2 * K2]))
     return np.vstack([-lower, np.eye(2, 4)])
 
@@ -77,7 +79,7 @@ def test_boundaries_of_the_bicycle_are_the_published_ones_to_the_last_digits() -
     weave, capsize = found.boundaries()
     assert (weave.value, capsize.value) == pytest.approx((data.WEAVE_SPEED, data.CAPSIZE_SPEED), rel=1e-12)
     assert capsize.frequency == 0 and weave.frequency == pytest.approx(3.43503384866144, rel=1e-10)
-    assert sorted(len(z) for z in found.families) == [1, 1, 2]
+    assert sorted(len(family) for family in found.families) == [1, 1, 2]
     assert len(set(found.names)) == 3
 
 
@@ -91,12 +93,14 @@ def test_eigenvalues_alone_continue_smoothly_with_interpolated_boundaries() -> N
     (only,) = found.boundaries()
     assert only.value == pytest.approx(1.21, rel=1e-12) and only.frequency == 0
     rows = [Branches.of(SPEEDS, np.array([np.linalg.eigvals(bicycle(v)) for v in SPEEDS])).boundaries()]
-    assert [z.value for z in rows[0]] == pytest.approx([data.WEAVE_SPEED, data.CAPSIZE_SPEED], rel=1e-4)
+    assert [boundary.value for boundary in rows[0]] == pytest.approx(
+        [data.WEAVE_SPEED, data.CAPSIZE_SPEED], rel=1e-4
+    )
 
 
 def test_what_failed_stays_unknown_and_branches_go_on_behind_it() -> None:
     p = np.linspace(0, 2, 41)
-    matrices = np.array([pair((1 + z) ** 2, (3 - z) ** 2) for z in p])
+    matrices = np.array([pair((1 + value) ** 2, (3 - value) ** 2) for value in p])
     matrices[[0, 12, 13]] = np.nan
     found = Branches.of(p, matrices, ("a", "b", "a", "b"))
     assert np.flatnonzero(np.isnan(found.eigenvalues).all(axis=1)).tolist() == [0, 12, 13]

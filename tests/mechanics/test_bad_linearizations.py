@@ -3,7 +3,7 @@
 from mistakes import Case, check, double, each, linear, pendulum, system
 
 from flexel.base.errors import LinearizationError
-from flexel.mechanics.linearization import Linearization
+from flexel.results.linearization import Linearization
 
 LINEARIZATIONS = {
     "linearize another model": system(
@@ -12,13 +12,16 @@ LINEARIZATIONS = {
     "linearize a motion": system(
         lambda s: s.linearize(s.simulate(0.01, samples=2)), "linearize", "motion[-1]"
     ),
-    "reduced to an unknown": linear(lambda z: z.reduced(["q"]), "'q'", "name some of"),
-    "reduced to nothing": linear(lambda z: z.reduced([]), "reduced", "name one"),
-    "reduced twice": linear(lambda z: z.reduced(["elbow.angle"] * 2), "reduced", "each once"),
+    "reduced to an unknown": linear(lambda lin: lin.reduced(["q"]), "'q'", "name some of"),
+    "reduced to nothing": linear(lambda lin: lin.reduced([]), "reduced", "name one"),
+    "reduced twice": linear(lambda lin: lin.reduced(["elbow.angle"] * 2), "reduced", "each once"),
     "reduced but coupled": linear(
-        lambda z: z.reduced(["elbow.angle"]), "'elbow.angle'", "'pivot.angle' enters through", "include it"
+        lambda lin: lin.reduced(["elbow.angle"]),
+        "'elbow.angle'",
+        "'pivot.angle' enters through",
+        "include it",
     ),
-    "input fixed": linear(lambda z: z.state_space(["O.x"], ["A.x"]), "'O.x'", "fixed", "drop it"),
+    "input fixed": linear(lambda lin: lin.state_space(["O.x"], ["A.x"]), "'O.x'", "fixed", "drop it"),
     "output without value": Case(
         lambda: _measured().state_space([], ["R1.omega.wy"]),
         ("'R1.omega.wy'", "use its rate"),

@@ -7,7 +7,7 @@ import pytest
 from click.testing import CliRunner
 
 import flexel as fx
-from flexel.commands.main import main
+from flexel.apps.cli.main import main
 
 STEEL = {"section": fx.Rectangle(0.3e-3, 20e-3), "material": "steel"}
 
@@ -36,13 +36,17 @@ def pendulum() -> fx.Model:
 
 
 def messages(report: fx.CheckReport, severity: str, subject: str) -> str:
-    return "\n".join(z.message for z in report.findings if (z.severity, z.subject) == (severity, subject))
+    return "\n".join(
+        finding.message
+        for finding in report.findings
+        if (finding.severity, finding.subject) == (severity, subject)
+    )
 
 
 def test_a_sound_structure_has_nothing_but_notes() -> None:
     report = leaf().check()
     assert report.ok
-    assert {z.severity for z in report.findings} == {"note"}
+    assert {finding.severity for finding in report.findings} == {"note"}
     assert report.dynamic == tuple(leaf().build().dynamic)
     assert "6 degree(s) of freedom: 'leaf.elongation'" in str(report)
     assert str(report).endswith("1 note(s)")
@@ -173,7 +177,7 @@ def test_the_command_refuses_other_files(tmp_path: Path) -> None:
     file.write_text("")
     result = CliRunner().invoke(main, ["check", str(file)])
     assert result.exit_code == 2
-    assert "give MODEL.py or MODEL.dat" in result.output
+    assert "give MODEL.py, MODEL.json or MODEL.dat" in result.output
 
 
 def test_a_cable_too_coarse_for_a_circle_that_it_may_touch_is_a_finding() -> None:

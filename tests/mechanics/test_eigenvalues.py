@@ -8,15 +8,15 @@ from differences import (
 )
 from moving import MODELS
 
-from flexel.model import Model
+from flexel.parts.model import Model
 
 
 @COARSE_MESH
 @pytest.mark.parametrize("name", ["loop", "planar", "flexible_arm"])
 def test_stiffness_is_symmetric_in_a_conservative_equilibrium(name: str) -> None:
     m = MODELS[name]()
-    m._rates.clear()
-    m._values.clear()
+    m.lowering.rates.clear()
+    m.lowering.values.clear()
     s = m.build()
     lin = s.linearize(s.equilibrium(stable=True) if name == "loop" else s.steady())
     assert worst(lin.K, lin.K.T) < 1e-12
@@ -25,7 +25,7 @@ def test_stiffness_is_symmetric_in_a_conservative_equilibrium(name: str) -> None
 
 def test_eigenvalues_do_not_depend_on_the_chosen_dofs() -> None:
     m = MODELS["loop"]()
-    m._rates.clear()
+    m.lowering.rates.clear()
     s = m.build()
     rest = s.equilibrium(stable=True)
     w = s.linearize(rest).eigenvalues()

@@ -6,7 +6,7 @@ from differences import Knob, pendulum, slope
 
 from flexel.base.time_functions import Harmonic, Ramp
 from flexel.base.time_tables import Table
-from flexel.model import Model
+from flexel.parts.model import Model
 
 G = 9.81
 
@@ -83,7 +83,7 @@ def test_power_of_the_drives_is_the_rate_of_energy() -> None:
     m.prescribe("elbow.angle", lambda t: np.exp(-t) * np.cos(4 * t))
     motion = m.build().simulate(1.0, samples=5)
     for state in motion[1:-1]:
-        power = -sum(state.force(z) * state.rate(z) for z in ("pivot.angle", "elbow.angle"))
+        power = -sum(state.force(name) * state.rate(name) for name in ("pivot.angle", "elbow.angle"))
         energy = slope(lambda d, t=state.t: np.array(motion.at(t + d).energy.total), 1e-2)
         assert abs(power - energy) < 1e-8 * max(1.0, abs(power))
 
@@ -96,7 +96,7 @@ def test_prescribed_coordinates_report_the_force_that_moves_them() -> None:
     for axis, knob in zip("xyz", (Knob(0, 1, 2), Knob(0, -1, 0.5), Knob(0, 0, 3)), strict=True):
         m.prescribe(f"P.{axis}", knob)
     state = m.build().initial
-    assert np.allclose([state.force(f"P.{z}") for z in "xyz"], [4.0, 1.0, 2 * (3 + G)], rtol=1e-14)
+    assert np.allclose([state.force(f"P.{axis}") for axis in "xyz"], [4.0, 1.0, 2 * (3 + G)], rtol=1e-14)
 
 
 def test_hinge_carries_weight_and_centripetal_force() -> None:
@@ -146,7 +146,7 @@ def test_follower_moment_on_a_free_body_stays_with_its_axes() -> None:
         w = m.angular_velocity(R, body_axes=follower)
         m.initial(f"{w}.wx", rate=2.0)
         motion = m.build().simulate(2.0, samples=9, rtol=1e-11, atol=1e-12)
-        omega = np.column_stack([motion.rate(f"{w}.w{z}") for z in "xyz"])
+        omega = np.column_stack([motion.rate(f"{w}.w{axis}") for axis in "xyz"])
         start = np.array([2.0, 0, 0])
         if follower:
             # for a sphere the angular velocity obeys ω̇ = M/J in body axes as in fixed ones
@@ -159,7 +159,7 @@ def test_foucault_plane_of_a_pendulum_on_a_turntable_stays_in_space() -> None:
     """A point mass on a universal joint does not feel the table turn: seen from it, the plane turns back by Ω t."""
     m, rate = Model(gravity=(0, 0, -G)), 0.8
     O, A = m.point("O", (0, 0, 0), fixed=True), m.point("A", (0, 0, -1))
-    frames = [m.frame(z, fixed=z == "ground") for z in ("ground", "table", "cross", "rod frame")]
+    frames = [m.frame(name, fixed=name == "ground") for name in ("ground", "table", "cross", "rod frame")]
     for name, axis, p, q in zip(("turn", "pitch", "roll"), "zyx", frames[:-1], frames[1:], strict=True):
         m.hinge(name, p, q, axis=np.eye(3)["xyz".index(axis)])
     m.beam("rod", O, frames[-1], A)

@@ -8,7 +8,7 @@ from mechanisms import heavy_top, slider_crank
 
 from flexel.base.errors import ConstraintError, FlexelError
 from flexel.mechanics.diagnose import choose_dofs
-from flexel.model import Model
+from flexel.parts.model import Model
 
 
 def test_slider_as_coordinate_passes_the_dead_centres() -> None:
@@ -181,7 +181,7 @@ def test_a_choice_close_to_a_singular_position_is_complete_or_refused() -> None:
     system = found.built(found.good)
     drawn = system.initial.x
     s, kinematics = system.structure, system.kinematics
-    angle = np.arctan2(*drawn[[s.names.index(f"P0.{z}") - s.m - s.k for z in "yx"]])
+    angle = np.arctan2(*drawn[[s.names.index(f"P0.{axis}") - s.m - s.k for axis in "yx"]])
     chosen = refused = 0
     for distance in 10.0 ** np.linspace(-14, -4, 300):
         try:

@@ -83,12 +83,14 @@ def test_exactly_the_listed_conditions_can_take_the_place_of_a_release(
 ) -> None:
     found = make().constraint_report()
     assert len(found.release) == count and list(found.alternatives) == found.release
-    elements = [z for z in make().instances.values() if not z.name.endswith("arm")]
-    rigid = [f"{z.name}.{d.name}" for z in elements for d in z.spec.deformations if not d.free]
+    elements = [instance for instance in make().instances.values() if not instance.name.endswith("arm")]
+    rigid = [
+        f"{element.name}.{d.name}" for element in elements for d in element.spec.deformations if not d.free
+    ]
     for name in found.release:
-        others = [z for z in found.release if z != name]
+        others = [other for other in found.release if other != name]
         assert redundancies(make, others) == 1
-        for candidate in [z for z in rigid if z not in found.release]:
+        for candidate in [condition for condition in rigid if condition not in found.release]:
             good = redundancies(make, [*others, candidate]) == 0
             assert good == (candidate in found.alternatives[name]), (name, candidate)
 
@@ -101,7 +103,7 @@ def test_the_report_and_the_check_print_them() -> None:
 
 
 def test_joints_are_released_before_the_arms_of_bodies() -> None:
-    assert [z for z in cardan_shaft().constraint_report().release if "link" in z] == []
+    assert [name for name in cardan_shaft().constraint_report().release if "link" in name] == []
 
 
 def test_a_mechanism_without_redundancy_has_no_alternatives() -> None:

@@ -5,8 +5,8 @@ from typing import Any
 import pytest
 from mistakes import pendulum
 
+from flexel.apps.spacar.reading import read_spacar
 from flexel.base.errors import ModelError, UnsteadyWarning
-from flexel.spacar.reading import read_spacar
 
 
 def test_results_that_do_not_exist_are_reported_with_those_that_do(tmp_path: Any) -> None:

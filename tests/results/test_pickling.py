@@ -32,7 +32,7 @@ def sent(value: Any) -> Any:
     return pickle.loads(pickle.dumps(value))
 
 
-@pytest.mark.parametrize("copied", [sent, copy.deepcopy, copy.copy], ids=lambda z: z.__name__)
+@pytest.mark.parametrize("copied", [sent, copy.deepcopy, copy.copy], ids=lambda copied: copied.__name__)
 @pytest.mark.parametrize("name", OBJECTS)
 def test_a_copy_has_the_same_content(name: str, copied: Any) -> None:
     assert content(copied(made(name))) == content(made(name))
@@ -49,16 +49,16 @@ def test_every_public_class_is_among_the_objects() -> None:
     with open(os.devnull, "wb") as nowhere:
         for name in OBJECTS:
             Watch(nowhere).dump(made(name))
-    public = {z for name in fx.__all__ if isinstance(z := getattr(fx, name), type)}
-    assert {z.__name__ for z in public - seen if not issubclass(z, BaseException)} == set()
+    public = {value for name in fx.__all__ if isinstance(value := getattr(fx, name), type)}
+    assert {kind.__name__ for kind in public - seen if not issubclass(kind, BaseException)} == set()
 
 
 def test_a_new_process_finds_the_same_content_and_computes_the_same_digits(tmp_path: Path) -> None:
-    names = [z for z in OBJECTS if z != "error"]
+    names = [name for name in OBJECTS if name != "error"]
     code = f"""
 from travellers import figures, fingerprint
-print(*map(fingerprint, z))
-print(figures(z[{names.index("system")}]))
+print(*map(fingerprint, given))
+print(figures(given[{names.index("system")}]))
 """
     contents, figures = other_process(tmp_path, code, *(made(name) for name in names)).split("\n", 1)
     assert contents.split() == [fingerprint(made(name)) for name in names]
@@ -81,7 +81,7 @@ def test_an_ensemble_runs_in_another_process_and_its_motions_come_back() -> None
         assert same(system.restore(motion), here[-1])
 
 
-@pytest.mark.parametrize("copied", [sent, copy.deepcopy], ids=lambda z: z.__name__)
+@pytest.mark.parametrize("copied", [sent, copy.deepcopy], ids=lambda copied: copied.__name__)
 def test_a_copied_system_computes_the_same_digits(copied: Any) -> None:
     system = copy.deepcopy(made("system"))
     assert travellers.figures(copied(system)) == travellers.figures(system)
@@ -110,8 +110,8 @@ def test_a_long_motion_is_as_large_as_its_numbers() -> None:
     motion = ride(0.2, 1000)
     unread = pickle.dumps(motion)
     states = list(motion)  # states are complete once they were read
-    arrays = [z for z in vars(motion[0]).values() if isinstance(z, np.ndarray)]
-    numbers = 1000 * sum(z.nbytes for z in arrays)
+    arrays = [value for value in vars(motion[0]).values() if isinstance(value, np.ndarray)]
+    numbers = 1000 * sum(array.nbytes for array in arrays)
     size = len(pickle.dumps(motion))
     assert numbers < size < 1.2 * numbers
     assert len(pickle.dumps(motion.structure)) < 0.005 * size

@@ -9,7 +9,7 @@ from rides import SUFFIXES, ride, same
 
 import flexel as fx
 from flexel.derive import Internal, Law, Parameter, symbol
-from flexel.derive.compile import compile_law
+from flexel.derive.user_definitions import compile_law
 from flexel.examples.bicycle import bicycle
 
 # -- going on -------------------------------------------------------------------------------------
@@ -35,7 +35,7 @@ def test_a_prescribed_motion_goes_on_to_the_same_digits(tmp_path: Path) -> None:
 
     def driven() -> fx.System:
         m = slider_crank("")
-        m._rates.clear()
+        m.lowering.rates.clear()
         m.prescribe("crank hinge.angle", lambda t: 9.0 * t + 0.2 * np.sin(3 * t))
         return m.build()
 
@@ -165,7 +165,7 @@ def test_a_state_of_another_model_is_refused_by_name(motion: fx.Motion, tmp_path
         slider_crank("").build().restore(read)
     free = slider_crank("B.x").build().simulate(0.05, samples=3)
     held = slider_crank("")
-    held._rates.clear()
+    held.lowering.rates.clear()
     held.prescribe("crank hinge.angle", lambda t: 0 * t)
     with pytest.raises(
         fx.ModelError, match=r"restore: the saved state has the degrees of freedom \('B\.x',\)"

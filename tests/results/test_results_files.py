@@ -12,8 +12,8 @@ from rides import SUFFIXES, same
 from scipy.io import loadmat
 
 import flexel as fx
+from flexel.apps.view.drawing import shapes
 from flexel.examples.bicycle import bicycle
-from flexel.pictures.drawing import shapes
 
 NAMES = [
     "lean.angle",
@@ -100,7 +100,7 @@ def test_the_matrices_of_a_linearization_are_tables_with_names(tmp_path: Path) -
     lines = lin.save(tmp_path / "lin.csv").read_text(encoding="utf-8").splitlines()
     assert lines[1] == "M,lean.angle,steer.angle,rear spin.angle"
     label, *values = lines[3].split(",")
-    assert (label, [float(z) for z in values]) == ("steer.angle", lin.M[1].tolist())
+    assert (label, [float(value) for value in values]) == ("steer.angle", lin.M[1].tolist())
     assert lines[5] == "" and lines[6].startswith("C,")
 
 

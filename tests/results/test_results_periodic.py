@@ -7,8 +7,8 @@ import pytest
 from mechanisms import oscillator
 
 import flexel as fx
-from flexel.pictures.deflected import coordinates_of, mode_size, plot_shape
-from flexel.results.periodic import PeriodicSolution
+from flexel.apps.view.deflected import coordinates_of, mode_size, plot_shape
+from flexel.results.periodic_motion import PeriodicSolution
 
 
 @pytest.fixture(scope="module")

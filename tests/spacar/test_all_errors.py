@@ -15,8 +15,8 @@ def errors(tmp_path: Path, *lines: str, dialect: str | None = None) -> list[str]
     with pytest.raises(fx.ModelError) as caught:
         file(tmp_path, *lines, dialect=dialect)
     found = str(caught.value).splitlines()
-    assert all(z.startswith("model.dat, line") for z in found), found
-    return [z.removeprefix("model.dat, ") for z in found]
+    assert all(line.startswith("model.dat, line") for line in found), found
+    return [line.removeprefix("model.dat, ") for line in found]
 
 
 def test_mistakes_of_every_kind_come_together_in_the_order_of_the_lines(tmp_path: Path) -> None:
@@ -44,7 +44,7 @@ def test_mistakes_of_every_kind_come_together_in_the_order_of_the_lines(tmp_path
         "GRAVITY 0 -9.81",
         "OUTX 1 9 1",
     )
-    assert [z.split(":")[0] for z in found] == [
+    assert [line.split(":")[0] for line in found] == [
         f"line {i}" for i in (2, 5, 7, 8, 11, 14, 15, 16, 17, 18, 19, 21)
     ]
     assert "'zero' is not a number" in found[0]
@@ -109,7 +109,7 @@ def test_one_wrong_line_is_one_message(wrong: str, lines: list[str], tmp_path: P
 
 def test_values_of_one_quantity_are_given_once(tmp_path: Path) -> None:
     lines = [*CRANK[:3], "INPUTE 1 2", *HALT, "INPUTE 1 2 0.1 0.2", "EDD 1 2 0.3"]
-    assert file(tmp_path, *lines).calls[-1].arguments[1].coefficients == (-0.1, -0.2, -0.15)
+    assert file(tmp_path, *lines).model.parts[-1].motion.coefficients == (-0.1, -0.2, -0.15)
     assert errors(tmp_path, *lines, "STARTDE 1 2 0.1", "ED 1 2 0.5", dialect="twente") == [
         "line 9: STARTDE: the value is given by INPUTE in line 7 already; keep one of them",
         "line 10: ED: the rate is given by INPUTE in line 7 already; keep one of them",
@@ -119,7 +119,7 @@ def test_values_of_one_quantity_are_given_once(tmp_path: Path) -> None:
 def test_an_early_end_is_reported_alone(tmp_path: Path) -> None:
     """What stands behind it is not read, so nothing is said about what seems to be missing."""
     found = errors(tmp_path, CRANK[0], "END", *CRANK[1:], "EOF")
-    assert [z.split(":")[0] for z in found] == ["line 3"] and "comes after END in line 2" in found[0]
+    assert [line.split(":")[0] for line in found] == ["line 3"] and "comes after END in line 2" in found[0]
 
 
 def test_many_mistakes_are_counted(tmp_path: Path) -> None:

@@ -7,9 +7,10 @@ import pytest
 from spacar_lines import file
 
 import flexel as fx
+from flexel.parts.model_program import statement
 
 DATA = Path(__file__).parent.parent / "data"
-FILES = sorted(z.name for z in DATA.glob("*.dat"))
+FILES = sorted(path.name for path in DATA.glob("*.dat"))
 # a line of each further keyword that has numbers
 TWENTE = """
 BEAM 1 1 2 3 4 0 1 0
@@ -74,9 +75,10 @@ DONOTDRAW 3
 
 def content(found: fx.Spacar) -> tuple[object, ...]:
     """All that is read from a file."""
-    calls = [str(z) for z in (*found.calls, *found.still, *found.load_steps)]
-    numbers = (found.start, found.duration, found.steps, found.increments, found.max_step, found.gravity)
-    return calls, numbers, found.inputs, found.outputs, found.notes, found.routines, found.linearized
+    parts = [statement(part, "m", {}) for part in (*found.model.parts, *found.still, *found.load_steps)]
+    gravity = tuple(found.model.gravity)
+    numbers = (found.start, found.duration, found.steps, found.increments, found.max_step, gravity)
+    return parts, numbers, found.inputs, found.outputs, found.notes, found.routines, found.linearized
 
 
 def changed(words: list[str]) -> Iterator[list[str]]:
@@ -99,7 +101,12 @@ def silent(tmp_path: Path, text: str) -> list[str]:
     lines = [line for line in lines if line.strip() and not line.startswith("*")]
     whole = file(tmp_path, *lines)
     before = content(whole)
-    noted = {int(z) for note in whole.notes if "effect" in note or "not read" in note for z in _numbers(note)}
+    noted = {
+        int(number)
+        for note in whole.notes
+        if "effect" in note or "not read" in note
+        for number in _numbers(note)
+    }
     found = []
     for i, line in enumerate(lines):
         words = line.split()
@@ -126,7 +133,7 @@ def test_each_number_of_the_files_has_an_effect_or_a_note(name: str, tmp_path: P
 
 def test_each_number_of_all_keywords_has_an_effect_or_a_note(tmp_path: Path) -> None:
     """But those of warping, of which a note speaks whatever they are."""
-    assert [z.split(" ->")[0] for z in silent(tmp_path, TWENTE)] == [
+    assert [change.split(" ->")[0] for change in silent(tmp_path, TWENTE)] == [
         "ESTIFF 1 1e6 10 20 30 1e-3 2e-3 7",
         "EM 1 1 1e-3 2e-3 3e-3 1e-4 9",
     ]

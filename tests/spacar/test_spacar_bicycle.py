@@ -15,9 +15,9 @@ from scipy.linalg import expm
 
 from flexel.base.arrays import Array
 from flexel.examples.published import published as table
-from flexel.mechanics.linearization import Linearization
-from flexel.model import Model
-from flexel.system import System
+from flexel.parts.model import Model
+from flexel.results.linearization import Linearization
+from flexel.results.system_facade import System
 
 DATA = Path(__file__).parent.parent / "data"
 RADIUS = 0.3  # rear wheel; the file's spin rate, -3.333333333 rad/s for 1 m/s, has ten digits only
@@ -30,7 +30,7 @@ def lines(keyword: str) -> list[list[float]]:
     """The numbers of all lines of the file that begin with a keyword."""
     text = (DATA / "bicycle_benchmark.dat").read_text().splitlines()
     words = [line.partition("%")[0].split() for line in text]
-    return [[float(z) for z in w[1:]] for w in words if w and w[0] == keyword]
+    return [[float(word) for word in w[1:]] for w in words if w and w[0] == keyword]
 
 
 def p(number: float) -> str:

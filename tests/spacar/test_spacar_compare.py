@@ -12,10 +12,10 @@ from spacar_binary import write
 from spacar_lines import file
 
 import flexel as fx
+from flexel.apps.cli.main import main
+from flexel.apps.spacar.run_file import run_spacar
 from flexel.base.arrays import Array
-from flexel.commands.main import main
 from flexel.results.saved.spacar_entries import read_entries
-from flexel.spacar.run import run_spacar
 
 pytestmark = COARSE_MESH
 
@@ -37,14 +37,18 @@ PENDULUM += ["TIMESTEP 0.2 4", "END", "HALT", "INPUTF 1 3 1", "OUTX 1 2 1", "END
 def ratios(report: str) -> dict[str, float]:
     """The ratio of each row of the tables."""
     found = [re.split(r" {2,}", line.strip()) for line in report.splitlines()]
-    return {z[0]: float(z[3]) for z in found if len(z) > 3 and re.fullmatch(r"[0-9.]+e[+-]\d+", z[3])}
+    return {
+        cells[0]: float(cells[3])
+        for cells in found
+        if len(cells) > 3 and re.fullmatch(r"[0-9.]+e[+-]\d+", cells[3])
+    }
 
 
 def test_spacars_own_results_agree() -> None:
     options = ["--compare", str(DATA / "two_leaf_pivot.sbd"), "--compare", str(DATA / "two_leaf_pivot.sbm")]
     result = CliRunner().invoke(main, ["run", str(PIVOT), *options])
     assert result.exit_code == 0, result.output
-    report = result.output[result.output.index("beside two_leaf_pivot.sbd, 10 records") :]
+    report = result.output[result.output.index("compared with two_leaf_pivot.sbd, 10 records") :]
     found = ratios(report)
     assert found.keys() >= {"coordinates", "reactions", "deformations", "stresses", "M0", "K0", "G0", "N0"}
     assert len(found) == 14 and max(found.values()) < 1e-9 and found["stresses"] > 0
@@ -54,11 +58,11 @@ def test_spacars_own_results_agree() -> None:
 def test_a_changed_number_is_found(tmp_path: Path) -> None:
     """A coordinate of node 7 in record 3, a stress of element 3 in record 5, and an entry of G0 in record 2."""
     motion = read_entries(DATA / "two_leaf_pivot.sbd")
-    records = {tag: z.copy() for tag, z in motion.records.items()}
+    records = {tag: values.copy() for tag, values in motion.records.items()}
     records["X"][3, motion.constant["LNP"][6, 1] - 1, 0] += 1e-3
     records["SIG"][5, motion.constant["LE"][2, 3] - 1, 0] -= 0.5
     matrices = read_entries(DATA / "two_leaf_pivot.sbm")
-    changed = {tag: z.copy() for tag, z in matrices.records.items()}
+    changed = {tag: values.copy() for tag, values in matrices.records.items()}
     changed["G0"][2, 0, 4] += 7.0
     paths = [
         write(tmp_path / "a.sbd", motion.constant, records),
@@ -74,7 +78,10 @@ def test_a_changed_number_is_found(tmp_path: Path) -> None:
 def test_what_has_no_counterpart_is_reported(tmp_path: Path) -> None:
     """Records beyond ours, a node and an element that the file does not have, and one that SPACAR does not have."""
     motion = read_entries(DATA / "two_leaf_pivot.sbd")
-    constant = {tag: z.copy() if isinstance(z, np.ndarray) else z for tag, z in motion.constant.items()}
+    constant = {
+        tag: value.copy() if isinstance(value, np.ndarray) else value
+        for tag, value in motion.constant.items()
+    }
     constant["LNP"][[2, 9]] = constant["LNP"][[9, 2]]  # node 10 is called 3
     with pytest.raises(fx.ModelError, match="element 3 has the node 10, which the file does not have"):
         run_spacar(PIVOT, compare=[write(tmp_path / "a.sbd", constant, motion.records)])
@@ -92,7 +99,7 @@ def test_what_has_no_counterpart_is_reported(tmp_path: Path) -> None:
 
 def ltv(path: Path, t: Array, tables: tuple[Array, ...]) -> Path:
     records = {"T": t.reshape(-1, 1, 1)} | {
-        z: np.stack([A] * t.size) for z, A in zip("ABCD", tables, strict=True)
+        name: np.stack([A] * t.size) for name, A in zip("ABCD", tables, strict=True)
     }
     return write(path, {"LTV": "LTV"}, records)
 
@@ -103,7 +110,7 @@ def test_state_spaces_are_compared_at_their_times(tmp_path: Path) -> None:
     start = ltv(tmp_path / "start.ltv", np.array([0.0]), tables)
     along = ltv(tmp_path / "along.ltv", np.array([0.0, 0.1, 0.13, 0.2]), tables)
     report = run_spacar(tmp_path / "model.dat", mode=9, compare=[start]).report
-    assert max(ratios(report)[z] for z in "ABCD") < 1e-12
+    assert max(ratios(report)[name] for name in "ABCD") < 1e-12
     assert "4 states here have no record: the first is 1, t = 0.05" in report
     report = run_spacar(tmp_path / "model.dat", mode=9, compare=[along]).report
     assert "1 records have no state here: the first is 2, t = 0.13" in report

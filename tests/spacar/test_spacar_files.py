@@ -11,11 +11,11 @@ from click.testing import CliRunner
 from programs import printed as printed_by
 
 import flexel as fx
+from flexel.apps.cli.main import main
+from flexel.apps.spacar.python_program import convert_spacar, python_source
+from flexel.apps.spacar.run_file import run_spacar
 from flexel.base.arrays import Array
-from flexel.commands.main import main
 from flexel.examples.published import published as table
-from flexel.spacar.convert import convert_spacar
-from flexel.spacar.run import run_spacar
 
 DATA = Path(__file__).parent.parent / "data"
 FILES = ("slider_crank", "bicycle_benchmark", "spacar_four_bar", "spacar_cantilever")
@@ -23,7 +23,7 @@ FILES = ("slider_crank", "bicycle_benchmark", "spacar_four_bar", "spacar_cantile
 
 def flexel(*arguments: str | Path) -> str:
     """Output of a command that succeeds."""
-    result = CliRunner().invoke(main, [str(z) for z in arguments])
+    result = CliRunner().invoke(main, [str(argument) for argument in arguments])
     assert result.exit_code == 0, result.output
     return result.output
 
@@ -31,7 +31,7 @@ def flexel(*arguments: str | Path) -> str:
 def rows(report: str, letter: str) -> dict[int, list[float]]:
     """The numbers of the lines `X n ...` or `E n ...` of a report."""
     found = re.findall(rf"^  {letter} (\d+) +(.*)$", report, re.MULTILINE)
-    return {int(n): [float(z) for z in numbers.split()] for n, numbers in found}
+    return {int(n): [float(number) for number in numbers.split()] for n, numbers in found}
 
 
 # the state printed in the manual SPACAR95, section 5.7, at t = 5 s, with as many digits as it has
@@ -71,7 +71,7 @@ def test_files_of_delft_give_what_they_gave(name: str, tmp_path: Path) -> None:
         assert len(stored) > 10 and stored.keys() <= set(kept)
         for key, value in stored.items():
             ours = kept[key] if key.endswith("0") and key[0].isupper() else kept[key][-1]
-            size = max(np.max(np.abs(value)), 1e-3)
+            size = max(np.max(np.abs(kept[key])), 1e-3)  # in the motion, as the errors of its integration are
             assert np.max(np.abs(ours - np.array(value))) < 1e-8 * size, key
 
 
@@ -148,7 +148,10 @@ def test_converted_file_gives_the_same_results(name: str, tmp_path: Path) -> Non
         end = file.system.simulate(file.duration, samples=file.steps + 1, max_step=file.max_step or np.inf)[
             -1
         ]
-    names = [*file.coordinates.values(), *(z for z, _ in file.deformations.values() if z not in file.slips)]
+    names = [
+        *file.coordinates.values(),
+        *(name for name, _ in file.deformations.values() if name not in file.slips),
+    ]
     for quantity in names:
         assert abs(float(printed[quantity]) - end[quantity]) < 1e-12 * max(1, abs(end[quantity])), quantity
     if file.linearized:
@@ -159,13 +162,26 @@ def test_converted_file_gives_the_same_results(name: str, tmp_path: Path) -> Non
             )
     if file.inputs:
         space = file.state_space(None if file.duration is not None else end, system=system)
+        half = len(space[0]) // 2  # SPACAR's states are (q, q'), ours (q', q)
+        turned = [*range(half, 2 * half), *range(half)]
+        space = space[0][np.ix_(turned, turned)], space[1][turned], space[2][:, turned], space[3]
         for letter, theirs in zip("ABCD", space, strict=True):
             ours = np.array(json.loads(printed[letter]))
-            flips = np.array([z.factor for z in file.inputs])  # a stress as input has the other sign
+            flips = np.array([entry.factor for entry in file.inputs])  # a stress as input has the other sign
             wanted = theirs * flips if letter in "BD" else theirs
             assert np.allclose(ours, wanted, rtol=1e-10, atol=1e-9 * max(1, np.max(np.abs(ours))))
     with pytest.raises(fx.ModelError, match=f"{name}.py: exists already; remove it"):
         convert_spacar(source, target)
+
+
+@pytest.mark.parametrize("name", FILES)
+def test_a_converted_file_has_the_program_of_its_model(name: str) -> None:
+    """All that it adds to `Model.program` before the analysis are its docstring and comments."""
+    file = fx.read_spacar(DATA / f"{name}.dat")
+    own = [line for line in file.model.program().splitlines() if line]
+    lines = [line for line in python_source(file).splitlines() if line and not line.startswith("#")]
+    first = lines.index("import flexel as fx")
+    assert lines[first : first + len(own)] == own
 
 
 def test_converted_file_that_is_simulated_has_no_load_steps(tmp_path: Path) -> None:
@@ -191,7 +207,7 @@ def test_converted_source_is_what_a_person_would_write(tmp_path: Path) -> None:
 
 
 def test_four_bar_with_belt_gears_and_bearing_moves_as_it_must() -> None:
-    x, e = (rows(run_spacar(DATA / "spacar_four_bar.dat").report, z) for z in "XE")
+    x, e = (rows(run_spacar(DATA / "spacar_four_bar.dat").report, keyword) for keyword in "XE")
     crank = 6.0 * 0.5 - 1.0 * 0.5**2 / 2
     assert abs(x[2][0] - crank) < 1e-6
     assert abs(x[12][0] - crank * 0.05 / 0.04) < 1e-6  # belt

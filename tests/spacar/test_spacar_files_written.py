@@ -12,10 +12,10 @@ from scipy.io import loadmat
 from spacar_lines import file
 
 import flexel as fx
+from flexel.apps.cli.main import main
+from flexel.apps.spacar.run_file import run_spacar
 from flexel.base.arrays import Array
-from flexel.commands.main import main
-from flexel.results.saved.spacar_entries import Entries, read_entries
-from flexel.spacar.run import run_spacar
+from flexel.results.saved.spacar_entries import TaggedEntries, read_entries
 
 pytestmark = COARSE_MESH
 
@@ -33,7 +33,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="module")
-def theirs() -> Entries:
+def theirs() -> TaggedEntries:
     return read_entries(DATA / "two_leaf_pivot.sbd")
 
 
@@ -48,21 +48,24 @@ def listed(log: str, what: str, part: str) -> list[tuple[int, int]]:
     ("what", "counts", "table"), [("coordinates (", "NXP", "LNP"), ("deformations (", "NEP", "LE")]
 )
 def test_the_log_counts_as_spacar_does(
-    folder: Path, theirs: Entries, what: str, counts: str, table: str
+    folder: Path, theirs: TaggedEntries, what: str, counts: str, table: str
 ) -> None:
     """Fixed, dependent, prescribed, dynamic, kinematic, of coordinates and of deformations; and which they are."""
     log = (folder / "two_leaf_pivot.log").read_text()
     parts = ("fixed", "dependent", "prescribed", "dynamic", "kinematic")
     numbers = np.ravel(theirs.constant[counts])
-    assert ", ".join(f"{z} {n}" for z, n in zip(parts, numbers, strict=True)) in log
+    assert ", ".join(f"{part} {n}" for part, n in zip(parts, numbers, strict=True)) in log
     places = {
-        (n, i): int(z) for n, row in enumerate(theirs.constant[table], 1) for i, z in enumerate(row, 1) if z
+        (n, i): int(place)
+        for n, row in enumerate(theirs.constant[table], 1)
+        for i, place in enumerate(row, 1)
+        if place
     }
     order = (0, 1, 2, 3, 4) if counts == "NXP" else (0, 2, 3, 4, 1)
     norms = range(4, 8) if counts == "NEP" else ()  # elements that SPACAR adds
     ends = np.cumsum([0, *numbers[list(order)]])
     for k, part in enumerate(order):
-        own = {z for z, at in places.items() if ends[k] < at <= ends[k + 1] and z[0] not in norms}
+        own = {entry for entry, at in places.items() if ends[k] < at <= ends[k + 1] and entry[0] not in norms}
         assert set(listed(log, what, parts[part])) == own, parts[part]
     if counts == "NEP":
         assert "norms of orientation nodes:\n    2            5            8            11" in log
@@ -94,7 +97,7 @@ def test_the_log_of_what_cannot_be_built_has_the_reason(tmp_path: Path) -> None:
         run_spacar(PIVOT, log=True)
 
 
-def test_a_mat_file_has_spacars_names(folder: Path, theirs: Entries) -> None:
+def test_a_mat_file_has_spacars_names(folder: Path, theirs: TaggedEntries) -> None:
     """Read through lnp and le, as with getfrsbf, the numbers are those of SPACAR's own file."""
     kept = loadmat(folder / "two_leaf_pivot.mat")
     assert kept["time"].shape == (10, 1) and kept["nx"].item() == 28 and kept["nddo"].item() == 5

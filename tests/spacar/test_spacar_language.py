@@ -5,11 +5,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 from click.testing import CliRunner
+from spacar_declarations import declared
 from spacar_lines import CRANK, file
 
 import flexel as fx
-from flexel.commands.main import main
-from flexel.spacar.keywords import KEYWORDS, UNSUPPORTED
+from flexel.apps.cli.main import main
+from flexel.apps.spacar.keywords import KEYWORDS, UNSUPPORTED
 
 
 def test_delft_and_twente_say_the_same_in_their_words(tmp_path: Path) -> None:
@@ -31,7 +32,7 @@ def test_delft_and_twente_say_the_same_in_their_words(tmp_path: Path) -> None:
         "COLOR 1 0.5 0.5",
     )
     assert (delft.dialect, twente.dialect) == ("delft", "twente")
-    assert [str(call) for call in delft.calls] == [str(call) for call in twente.calls]
+    assert declared(delft) == declared(twente)
     assert (delft.duration, delft.steps) == (twente.duration, twente.steps) == (2.0, 100)
     assert delft.notes == () and "COLOR no effect: no GRAPHICS" in twente.notes[0]
 
@@ -53,9 +54,9 @@ def test_dialect_can_be_given_and_decides_the_order_of_timestep(tmp_path: Path) 
 
 def test_inputs_of_delft_list_components(tmp_path: Path) -> None:
     found = file(tmp_path, *CRANK[:4], "INPUTX 3 1 2", "RLSE 1 1")
-    assert sum(z.method == "prescribe" for z in found.calls) == 2
+    assert len(declared(found, "prescribe")) == 2
     assert found.notes == (
-        "line 5: INPUTX its numbers are components; values stand in lines X, XD, XDD, E, ED, EDD",
+        "line 5: INPUTX its numbers are components; values are given in lines X, XD, XDD, E, ED, EDD",
     )
 
 
@@ -234,7 +235,7 @@ def test_bearing_and_hinge_modes_have_their_own_order(tmp_path: Path) -> None:
     )
     assert found.deformations[1, 1] == ("bearing1.axial", 1.0)
     assert found.deformations[1, 4] == ("bearing1.angle", 1.0)
-    assert np.allclose([z.omega for z in found.frequencies()], [2.0, 2.0])
+    assert np.allclose([mode.omega for mode in found.frequencies()], [2.0, 2.0])
     assert "modes 1 to 3 are read as the displacements" in found.notes[0]
 
 

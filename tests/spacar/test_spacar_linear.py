@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import flexel as fx
-from flexel.spacar.run import run_spacar
+from flexel.apps.spacar.run_file import run_spacar
 
 DATA = Path(__file__).parent.parent / "data"
 
@@ -17,7 +17,7 @@ def cantilever() -> fx.Spacar:
 
 
 def test_cantilever_buckles_at_eulers_load(cantilever: fx.Spacar) -> None:
-    first, second = (z.multiplier for z in cantilever.buckling(2))
+    first, second = (load.multiplier for load in cantilever.buckling(2))
     # four cubic elements: 5e-5 above pi²/4 EI, 2e-3 in the second mode; the file's load is a compression
     assert 0 < first / (np.pi**2 / 4) - 1 < 1e-4
     assert 0 < second / (9 * np.pi**2 / 4) - 1 < 1e-2
@@ -35,7 +35,7 @@ def test_small_compression_lowers_the_frequencies(cantilever: fx.Spacar) -> None
 
 def test_load_steps_bend_the_cantilever(cantilever: fx.Spacar) -> None:
     system, states = cantilever.static_steps()
-    assert [z.t for z in states] == [0.0, 0.25, 0.5, 0.75, 1.0]
+    assert [state.t for state in states] == [0.0, 0.25, 0.5, 0.75, 1.0]
     # beam-column: w = F/(P k) (tan k - k), k = sqrt(P/EI), P = 1, F = t/2; small enough to be nearly linear
     assert abs(states[1]["p9.z"] / (0.125 * (np.tan(1.0) - 1.0)) - 1) < 0.02
     found = cantilever.matrices(states[0], system=system)
@@ -134,7 +134,8 @@ def test_state_space_along_a_motion_is_written(tmp_path: Path) -> None:
     with np.load(tmp_path / "pendulum.npz") as kept:
         A, angle = kept["A"], kept["x_2_1"]
     assert A.shape == (11, 2, 2)
-    assert np.allclose(A[:, 0, 1], -9.81 / 0.5 * np.cos(angle), rtol=1e-9)
+    assert np.allclose(A[:, 1, 0], -9.81 / 0.5 * np.cos(angle), rtol=1e-9)  # of (q, q')
+    assert np.array_equal(A[:, 0], np.tile([0.0, 1.0], (11, 1)))
     run_spacar(path, tmp_path, mode=4)
     with np.load(tmp_path / "pendulum.npz") as kept:
         assert np.allclose(kept["M0"][:, 0, 0], 2.0 * 0.25)

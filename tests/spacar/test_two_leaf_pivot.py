@@ -15,8 +15,8 @@ from click.testing import CliRunner
 from coarse import COARSE_MESH
 from scipy.linalg import eigvals
 
+from flexel.apps.cli.main import main
 from flexel.base.arrays import Array
-from flexel.commands.main import main
 
 pytestmark = COARSE_MESH
 

@@ -5,10 +5,11 @@ from pathlib import Path
 import pytest
 from click.testing import CliRunner
 from programs import printed as printed_by
+from spacar_declarations import declared
 from spacar_lines import CRANK, file
 
 import flexel as fx
-from flexel.commands.main import main
+from flexel.apps.cli.main import main
 
 TWENTE = [
     "PLBEAM 1 1 2 3 4",
@@ -36,8 +37,8 @@ def converted(tmp_path: Path) -> tuple[str, dict[str, float]]:
 def test_files_with_routines_are_read_with_a_note(tmp_path: Path) -> None:
     without = file(tmp_path, *TWENTE, *END)
     found = file(tmp_path, *TWENTE, *ROUTINES, *END)
-    assert [str(z) for z in found.calls] == [str(z) for z in without.calls]
-    assert [z.split(", which")[0] for z in found.notes] == [
+    assert declared(found) == declared(without)
+    assert [note.split(", which")[0] for note in found.notes] == [
         "line 9: USERINP 'crank_motion' is a program",
         "line 10: USERSIG 'leaf.m' is a program",
     ]

@@ -4,7 +4,7 @@ from coarse import COARSE_MESH
 from mistakes import Case, check, drawing, each
 
 from flexel.base.errors import DynamicsError
-from flexel.system import System
+from flexel.results.system_facade import System
 
 
 def strut() -> System:

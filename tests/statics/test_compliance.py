@@ -6,7 +6,7 @@ import pytest
 import flexel as fx
 from flexel.base.arrays import Array
 from flexel.base.quaternions import matrix
-from flexel.declare.materials import Profile
+from flexel.parts.materials import Profile
 
 L = 0.1
 SECTION = fx.Rectangle(2e-3, 10e-3)
@@ -162,8 +162,8 @@ def test_rigid_torsion_of_two_leaf_springs_is_named_and_its_release_makes_them_w
     m = guide(["bend3", "bend4"])
     found = m.constraint_report()
     assert len(found.redundant) == len(found.release) == 3
-    assert any(set(z) == {"a.torsion", "b.torsion"} for z in found.redundant)
-    assert any(z.endswith(".torsion") for z in found.release)
+    assert any(set(names) == {"a.torsion", "b.torsion"} for names in found.redundant)
+    assert any(name.endswith(".torsion") for name in found.release)
     with pytest.raises(fx.ConstraintError, match="torsion"):
         m.build()
     m.release(*found.release)
@@ -182,7 +182,9 @@ def test_a_free_body_is_under_constrained_and_its_motions_are_named() -> None:
     m.frame("U")
     m.beam("loose", "T", "U", "S")
     motions = m.constraint_report().motions
-    assert len(motions) == 3 and all(any(z.startswith(("T.", "U.")) for z in motion) for motion in motions)
+    assert len(motions) == 3 and all(
+        any(name.startswith(("T.", "U.")) for name in motion) for motion in motions
+    )
 
 
 def test_a_state_is_reported_on_too() -> None:

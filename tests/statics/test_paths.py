@@ -6,7 +6,7 @@ from coarse import COARSE_MESH
 
 import flexel as fx
 from flexel.mechanics.arclength import Arcs
-from flexel.statics import path as load_path
+from flexel.statics import load_path
 
 ELEMENTS = 16
 SPAN, EI = 1.0, 1.0

@@ -8,8 +8,8 @@ import pytest
 
 from flexel.base.errors import DynamicsError, PositionError, UnstableWarning
 from flexel.examples.bicycle import bicycle
-from flexel.model import Model
-from flexel.system import System
+from flexel.parts.model import Model
+from flexel.results.system_facade import System
 
 
 def hanging(*points: Sequence[float]) -> System:
@@ -84,7 +84,7 @@ def test_a_spring_holds_a_rod_upright_from_its_critical_stiffness_on(factor: flo
         warnings.simplefilter("always")
         state = system.equilibrium()
     assert state["A.z"] == 1.0
-    assert [z.category for z in said] == ([] if stable else [UnstableWarning])
+    assert [warning.category for warning in said] == ([] if stable else [UnstableWarning])
     assert (system.equilibrium(stable=True)["A.z"] == 1.0) is stable
 
 

@@ -21,7 +21,7 @@ def cantilever(n: int, EA: float = 1e6) -> fx.Model:
 
 def tip_error(n: int, load: float) -> float:
     rows = published("elastica_cantilever")["vertical_tip_load"]
-    exact = next(float(z["w_over_L"]) for z in rows if float(z["PL2_EI"]) == load)
+    exact = next(float(row["w_over_L"]) for row in rows if float(row["PL2_EI"]) == load)
     m = cantilever(n, EA=1e8)
     m.load(f"P{n}.z", lambda t: load * t)
     path = m.build().static_path(t_end=1.0)
@@ -107,7 +107,7 @@ def test_the_euler_load_and_the_frequencies_of_a_cantilever() -> None:
     system = cantilever(8).build()
     load = system.buckling(increment={"P8.x": -1.0}, count=1)[0].multiplier
     assert load == pytest.approx(np.pi**2 / 4, rel=1e-5)
-    frequencies = [z.omega for z in system.vibrations(count=4)]
+    frequencies = [mode.omega for mode in system.vibrations(count=4)]
     exact = np.array([1.8751040687119612, 4.694091132974175]) ** 2
     np.testing.assert_allclose(frequencies, np.repeat(exact, 2), rtol=1e-4)
 

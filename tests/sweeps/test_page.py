@@ -24,11 +24,12 @@ def test_the_program_of_the_page_runs() -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.ci
 def test_the_hoist_is_studied_at_each_point() -> None:
     """One of the points that the example hands to a cluster; less damping gives a larger factor."""
     from flexel.examples.hoist_cluster import analyse, build
 
-    points = [{"damping_ratio": z, "modulus": 1e11} for z in (0.03, 0.15)]
+    points = [{"damping_ratio": ratio, "modulus": 1e11} for ratio in (0.03, 0.15)]
     found = fx.sweep(build, points, analyse, executor="serial")
     assert found.factor.values == pytest.approx(found.closed_form.values, rel=0.05)
     assert found.factor[0] > found.factor[1] + 0.15

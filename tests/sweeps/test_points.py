@@ -20,7 +20,7 @@ def test_a_grid_has_all_combinations_and_the_last_parameter_changes_first() -> N
         "tyre": ["hard", "soft"],
         "rider": [False, True],
     }
-    assert [type(z) for z in points.point(0).values()] == [float, str, bool]
+    assert [type(value) for value in points.point(0).values()] == [float, str, bool]
 
 
 def test_a_grid_of_many_points_keeps_only_its_axes() -> None:
@@ -61,7 +61,7 @@ def test_random_points_are_independent_of_one_another() -> None:
     column = fx.sample({"a": (0, 1)}, 50, method="random").columns(0, 50)["a"]
     intervals = np.floor(50 * np.array(column)).astype(int)
     assert 0 < len(set(intervals)) < 50
-    assert all(0 <= z <= 1 for z in column)
+    assert all(0 <= value <= 1 for value in column)
 
 
 @pytest.mark.parametrize(

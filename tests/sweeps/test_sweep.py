@@ -59,7 +59,9 @@ def test_an_executor_may_be_made_by_a_function() -> None:
 def test_functions_of_a_notebook_are_sent_along() -> None:
     """Closures and lambdas, which have no module to be found in."""
     offset = 10.0
-    found = fx.sweep(lambda a: {"a": a + offset}, {"a": [1.0, 2.0]}, lambda z: {"y": z["a"]}, workers=2)
+    found = fx.sweep(
+        lambda a: {"a": a + offset}, {"a": [1.0, 2.0]}, lambda point: {"y": point["a"]}, workers=2
+    )
     assert found.y.values.tolist() == [11.0, 12.0]
 
 
@@ -76,9 +78,9 @@ def test_texts_are_parameters_too() -> None:
 
 
 def test_labelled_arrays_keep_dimensions_labels_and_units() -> None:
-    def analyse(z: dict[str, float]) -> dict[str, Any]:
+    def analyse(point: dict[str, float]) -> dict[str, Any]:
         modes = xarray.DataArray(
-            [z["a"], z["b"]], {"mode": ["weave", "wobble"]}, "mode", attrs={"units": "rad/s"}
+            [point["a"], point["b"]], {"mode": ["weave", "wobble"]}, "mode", attrs={"units": "rad/s"}
         )
         return {"omega": modes, "damping": 0.1 * modes}
 
@@ -90,7 +92,11 @@ def test_labelled_arrays_keep_dimensions_labels_and_units() -> None:
 def test_results_may_become_complex_later() -> None:
     """As eigenvalues, which NumPy returns as real numbers where all are."""
     found = fx.sweep(
-        plain, {"a": [1.0, 4.0, -4.0]}, lambda z: {"root": np.emath.sqrt(z["a"])}, executor="serial", chunk=1
+        plain,
+        {"a": [1.0, 4.0, -4.0]},
+        lambda point: {"root": np.emath.sqrt(point["a"])},
+        executor="serial",
+        chunk=1,
     )
     assert found.root.values.tolist() == [1, 2, 2j]
 
@@ -102,7 +108,7 @@ def test_a_point_that_fails_keeps_its_message_and_the_others_their_results() -> 
         found = fx.sweep(picky, {"a": [1.0, -2.0, 3.0, -4.0, 5.0]}, numbers, workers=2)
     assert found["sum"].values.tolist() == pytest.approx([2, np.nan, 4, np.nan, 6], nan_ok=True)
     assert str(found.failed.sel(a=-4.0).item()).startswith("ValueError: no -4.0 (swept.py, line ")
-    assert [bool(z) for z in found.failed.values] == [False, True, False, True, False]
+    assert [bool(failure) for failure in found.failed.values] == [False, True, False, True, False]
 
 
 def test_errors_of_flexel_are_kept_as_they_are() -> None:
@@ -115,14 +121,14 @@ def test_errors_of_flexel_are_kept_as_they_are() -> None:
 def test_the_form_is_that_of_the_first_point_that_succeeds(chunk: int) -> None:
     """Whatever the chunks are: the points of another form fail, and say why."""
 
-    def analyse(z: dict[str, float]) -> dict[str, Any]:
-        return {"x": np.ones(3 if z["a"] in (-1.0, 1.0, 3.0) else 2)}
+    def analyse(point: dict[str, float]) -> dict[str, Any]:
+        return {"x": np.ones(3 if point["a"] in (-1.0, 1.0, 3.0) else 2)}
 
     with pytest.warns(fx.IncompleteWarning):
         found = fx.sweep(picky, {"a": [-1.0, 1.0, 2.0, 3.0, 4.0, 5.0]}, analyse, workers=2, chunk=chunk)
     assert found.x.shape == (6, 3)
     expected = "analyse returned an array (x_0: 2) as 'x' here, and an array (x_0: 3) at other points; return the same"
-    assert [z == expected for z in found.failed.values] == [False, False, True, False, True, True]
+    assert [failure == expected for failure in found.failed.values] == [False, False, True, False, True, True]
 
 
 @pytest.mark.parametrize(
@@ -179,5 +185,5 @@ def test_what_cannot_be_sent_is_named() -> None:
 
     lock = threading.Lock()
     with pytest.raises(fx.ModelError, match="cannot be sent to other processes: .*executor='serial'"):
-        fx.sweep(lambda a: {"a": a, "l": lock}, {"a": [1.0]}, lambda z: {"y": z["a"]})
-    assert fx.sweep(lambda a: lock, {"a": [1.0]}, lambda z: {"y": 1}, executor="serial").y == 1
+        fx.sweep(lambda a: {"a": a, "l": lock}, {"a": [1.0]}, lambda point: {"y": point["a"]})
+    assert fx.sweep(lambda a: lock, {"a": [1.0]}, lambda point: {"y": 1}, executor="serial").y == 1

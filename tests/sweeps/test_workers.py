@@ -83,7 +83,7 @@ def test_a_cluster_gives_the_digits_of_one_process(client: Any) -> None:
 def test_both_workers_of_a_cluster_work(client: Any) -> None:
     """Each point says where it was computed."""
 
-    def analyse(z: dict[str, float]) -> dict[str, int]:
+    def analyse(point: dict[str, float]) -> dict[str, int]:
         import os
         import time
 
@@ -104,7 +104,7 @@ def test_a_worker_of_a_cluster_that_dies_takes_one_point_with_it(client: Any) ->
 def test_the_command_uses_the_cluster_at_an_address(client: Any, tmp_path: Path) -> None:
     from click.testing import CliRunner
 
-    from flexel.commands.main import main
+    from flexel.apps.cli.main import main
 
     file, out = tmp_path / "where.py", tmp_path / "results"
     file.write_text(

@@ -12,13 +12,13 @@ from flexel.examples import beams_dynamic as dynamic
 from flexel.examples import beams_models as models
 from flexel.examples import beams_static as static
 from flexel.examples.convergence import elements_needed, order, romberg
-from flexel.results.report import Quantity
+from flexel.results.reproduction import Quantity
 
 pytestmark = COARSE_MESH
 
 
 def failures(rows: list[Quantity]) -> list[str]:
-    return [f"{z.name}: {z.error}" for z in rows if not z.ok]
+    return [f"{row.name}: {row.error}" for row in rows if not row.ok]
 
 
 @pytest.fixture(scope="module")
@@ -27,16 +27,18 @@ def rows() -> list[Quantity]:
     return [*static.large_deflections(), *static.buckling(), *dynamic.vibrations(), *dynamic.spin_up()]
 
 
+@pytest.mark.ci
 def test_deflections_buckling_loads_frequencies_and_the_spin_up_are_reproduced(rows: list[Quantity]) -> None:
     assert failures(rows) == []
 
 
+@pytest.mark.ci
 def test_the_tables_that_pages_quote_are_those_of_the_program(rows: list[Quantity]) -> None:
     """`make docs` computes all systems anew except the beams, whose search for meshes takes a minute."""
-    found = {z.name: quoted.rounded(z.to_dict()) for z in rows}
+    found = {row.name: quoted.rounded(row.to_dict()) for row in rows}
     kept = quoted.kept()["beams"]
-    assert set(found) <= {z["name"] for z in kept}
-    tables = {"beams": [found.get(z["name"], z) for z in kept]}
+    assert set(found) <= {entry["name"] for entry in kept}
+    tables = {"beams": [found.get(entry["name"], entry) for entry in kept]}
     assert quoted.differences(tables, quoted.kept()) == []
     page = quoted.DOCS / "beams.md"
     assert quoted.wrong(page.read_text(encoding="utf-8"), tables) == []
@@ -69,7 +71,7 @@ def test_second_order_terms_save_elements_in_lateral_buckling() -> None:
 def test_a_spinning_blade_at_rest_in_its_frame_has_no_acceleration_there() -> None:
     system = models.blade(4, 3.0)
     state = system.steady()
-    assert max(abs(state.acceleration(z)) for z in system.dynamic) < 1e-9
+    assert max(abs(state.acceleration(name)) for name in system.dynamic) < 1e-9
     assert state.rate("P4.y") == pytest.approx(3.0, rel=1e-12)
 
 

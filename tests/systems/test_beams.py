@@ -20,8 +20,8 @@ from scipy.optimize import brentq
 from flexel.base.arrays import Array
 from flexel.base.errors import UnstableWarning
 from flexel.examples.published import published
-from flexel.model import Model
-from flexel.system import System
+from flexel.parts.model import Model
+from flexel.results.system_facade import System
 
 FREQUENCIES: dict[str, Any] = published("beam_frequencies")
 
@@ -52,7 +52,7 @@ def orders(e: Array) -> Array:
     return np.asarray(np.log2(e[:-1] / e[1:]))
 
 
-CLAMPED = np.array([float(z) for z in FREQUENCIES["euler_bernoulli_betaL"]["clamped-free"][:3]]) ** 2
+CLAMPED = np.array([float(value) for value in FREQUENCIES["euler_bernoulli_betaL"]["clamped-free"][:3]]) ** 2
 
 
 WAVES = np.pi * np.arange(1, 4)
@@ -233,10 +233,10 @@ def rotor(n: int, speed: float, plane: str, second_order: bool) -> Model:
 
 @pytest.mark.parametrize(("plane", "key"), [("flap", "flap"), ("lag", "lag_inextensible")])
 @pytest.mark.parametrize(
-    "row", [z for z in FREQUENCIES["rotating_cantilever"]["rows"] if not z["hub_radius_over_L"]][1::3]
+    "row", [row for row in FREQUENCIES["rotating_cantilever"]["rows"] if not row["hub_radius_over_L"]][1::3]
 )
 def test_rotating_cantilever_stiffens(plane: str, key: str, row: dict[str, Any]) -> None:
-    exact = [float(z) for z in row[key]]
+    exact = [float(value) for value in row[key]]
     with_terms = errors([frequencies(rotor(n, row["eta"], plane, True)) for n in (8, 16)], exact)
     without = errors([frequencies(rotor(n, row["eta"], plane, False)) for n in (8, 16)], exact)
     assert np.max(with_terms[-1]) < 5e-5

@@ -8,7 +8,7 @@ from chains import chain
 from coarse import COARSE_MESH
 
 from flexel.base.arrays import Array
-from flexel.model import Model
+from flexel.parts.model import Model
 
 MODES = ("elongation", "torsion", "bend1", "bend2", "bend3", "bend4")
 
@@ -107,7 +107,7 @@ def test_energy_of_a_swinging_flexible_beam_is_conserved_and_damping_takes_it() 
         motion = s.simulate(0.5, samples=401, rtol=1e-10, atol=1e-12)
         E = motion.energy["total"]
         modes = [f"b0.{mode}" for mode in MODES]
-        law = [motion.force(z) * motion.rate(z) for z in modes]  # power taken up by all stresses
+        law = [motion.force(mode) * motion.rate(mode) for mode in modes]  # power taken up by all stresses
         strain = motion.energy["strain"]
         taken = np.sum(law, axis=0)
         h = motion.t[1]
@@ -148,7 +148,7 @@ def test_bearing_is_a_hinge_with_a_common_point() -> None:
         found.append(np.column_stack([motion.position("B"), motion["joint.angle"], motion.energy["kinetic"]]))
         if bearing:
             # the bearing's axial and radial forces carry the weight
-            force = [motion[0].force(f"joint.{z}") for z in ("axial", "radial1", "radial2")]
+            force = [motion[0].force(f"joint.{mode}") for mode in ("axial", "radial1", "radial2")]
             m_a = 2.0 * (_mass_centre_acceleration(motion[0]) - np.array([0, 0, -9.81]))
             assert abs(np.linalg.norm(force) - np.linalg.norm(m_a)) < 1e-9
     assert np.max(np.abs(found[0] - found[1])) < 1e-9
@@ -176,6 +176,6 @@ def test_point_of_a_body_moves_with_it() -> None:
     motion = m.build().simulate(2.0, samples=9)
     distance = np.linalg.norm(motion.position("Q") - motion.position("P"), axis=1)
     assert np.max(np.abs(distance - distance[0])) < 1e-12
-    omega = np.column_stack([motion.rate(f"R.omega.w{z}") for z in "xyz"])
+    omega = np.column_stack([motion.rate(f"R.omega.w{axis}") for axis in "xyz"])
     expected = motion.velocity("P") + np.cross(omega, motion.position("Q") - motion.position("P"))
     assert np.max(np.abs(motion.velocity("Q") - expected)) < 1e-10

@@ -1,6 +1,7 @@
 """The bicycle gives the published numbers."""
 
 from collections.abc import Mapping
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -9,8 +10,10 @@ import pytest
 import flexel as fx
 from flexel.examples import bicycle as example
 from flexel.examples import bicycle_data as data
+from flexel.examples import bicycle_file
 from flexel.examples.published import published
-from flexel.results.report import Quantity
+from flexel.examples.stable_speeds import LEAN_STEER
+from flexel.results.reproduction import Quantity
 
 NAMES = {
     "Browserins": "Browser with instruments",
@@ -31,19 +34,21 @@ def m1() -> dict[str, Any]:
 
 
 @pytest.fixture(scope="module")
-def results() -> example.Results:
+def results() -> example.BicycleResults:
     return example.analyse()
 
 
 @pytest.fixture(scope="module")
-def system(results: example.Results) -> fx.System:
+def system(results: example.BicycleResults) -> fx.System:
     return results.system
 
 
 @pytest.fixture(scope="module")
-def rows(results: example.Results) -> Mapping[str, Quantity]:
+def rows(results: example.BicycleResults) -> Mapping[str, Quantity]:
     parts = (example.counts, example.linear, example.manoeuvre, example.kicks)
-    return {row.name: row for part in parts for row in part(results)}
+    return {row.name: row for part in parts for row in part(results)} | {
+        row.name: row for row in bicycle_file.of_the_file()
+    }
 
 
 def floats(matrix: Any) -> Any:
@@ -52,7 +57,9 @@ def floats(matrix: Any) -> Any:
 
 def test_measured_bicycles_are_those_of_the_file(whipple: dict[str, Any]) -> None:
     """All but the moments of inertia about the axle, which are moved where no body could have them."""
-    bikes = {NAMES.get(name, name): z for name, z in whipple["measured_bikes"].items() if name != "Benchmark"}
+    bikes = {
+        NAMES.get(name, name): bike for name, bike in whipple["measured_bikes"].items() if name != "Benchmark"
+    }
     for name, bike in bikes.items():
         for key, value in data.MEASURED[name].items():
             changed = key in ("IByy", "IHyy")
@@ -85,7 +92,7 @@ def test_three_dofs_and_four_kinematic_coordinates(system: fx.System) -> None:
     assert system.counts["kinematic_coordinates"] == 4
 
 
-def test_matrices_agree_with_22_digits(results: example.Results, whipple: dict[str, Any]) -> None:
+def test_matrices_agree_with_22_digits(results: example.BicycleResults, whipple: dict[str, Any]) -> None:
     for name, exact in whipple["computed_matrices"].items():
         difference = np.max(np.abs(results.matrices[name] - floats(exact)))
         assert difference < 1e-13 * np.max(np.abs(floats(exact)))
@@ -98,7 +105,7 @@ def test_eigenvalues_do_not_depend_on_where_the_bicycle_is(system: fx.System) ->
         {"yaw.angle": 0.8, "rear contact.x": 3.0, "rear contact.y": -2.0, "rear spin.angle": -4.0},
         rates={"lean.angle": 0.0, "steer.angle": 0.0, "rear spin.angle": start.rate("rear spin.angle")},
     )
-    found = system.linearize(turned).reduced(example.LEAN_STEER).eigenvalues()
+    found = system.linearize(turned).reduced(LEAN_STEER).eigenvalues()
     assert np.max(np.abs(found - np.array(data.EIGENVALUES[5]))) < 1e-9
 
 
@@ -116,7 +123,7 @@ def test_steady_motion_near_capsize_is_found_from_a_leaning_start(system: fx.Sys
     assert state.drift < 1e-12
 
 
-def test_stable_ranges_of_measured_bicycles(results: example.Results) -> None:
+def test_stable_ranges_of_measured_bicycles(results: example.BicycleResults) -> None:
     for name, (weave, capsize) in results.measured.items():
         expected = data.MEASURED_SPEEDS[name]
         assert weave == pytest.approx(expected["weave"], rel=1e-9)
@@ -132,7 +139,9 @@ def test_inertia_about_the_axle_does_not_enter_the_linear_equations() -> None:
         assert np.max(np.abs(a - b)) < 1e-12 * np.max(np.abs(a))
 
 
-def test_manoeuvre_m1_follows_the_whole_reference(results: example.Results, m1: dict[str, Any]) -> None:
+def test_manoeuvre_m1_follows_the_whole_reference(
+    results: example.BicycleResults, m1: dict[str, Any]
+) -> None:
     """Angles, rates, hub positions, pitch and energies at every stored time."""
     for row in m1["maneuvers"][0]["rows"]:
         state = results.m1.at(row["t"])
@@ -160,10 +169,34 @@ def test_energy_drift_falls_with_the_tolerance(system: fx.System) -> None:
     assert coarse < 1e-4
 
 
-def test_kicks_grow_decay_and_capsize(results: example.Results) -> None:
+def test_kicks_grow_decay_and_capsize(results: example.BicycleResults) -> None:
     """Below the weave speed the swing grows, in the stable range it dies out, above capsize the lean creeps up."""
     lean = {v: np.abs(motion["lean.angle"]) for v, motion in results.kicks.items()}
     first, last = slice(0, 80), slice(-80, None)
     assert lean[3.5][last].max() > 3 * lean[3.5][first].max()
     assert lean[4.5][last].max() < 0.3 * lean[4.5][first].max()
     assert np.all(np.diff(lean[6.3][last]) > 0)
+
+
+def test_the_file_of_2003_differs_from_its_page(rows: Mapping[str, Quantity]) -> None:
+    """What the seeds say of it: 0.75, 4.42 and 5.99 m/s; with the rider of the comment 0.92, 4.32 and 5.99."""
+    assert rows["bike3_speeds"].computed == pytest.approx([0.75, 4.42, 5.99], abs=5e-3)
+    assert rows["bike3_speeds_comment"].computed == pytest.approx([0.92, 4.32, 5.99], abs=5e-3)
+    assert rows["bike3_speeds"].more["page"] == [0.9, 4.1, 5.7]
+
+
+def test_the_file_of_2003_is_read_as_it_stands() -> None:
+    file = fx.read_spacar(Path(bicycle_file.__file__).parent / "data" / "bike3.dat")
+    assert file.system.dynamic == ("hinge6.angle", "hinge14.angle")
+    assert file.system.initial.rate("hinge11.angle") == pytest.approx(30.0)
+
+
+def test_a_bicycle_that_is_nowhere_stable_says_so() -> None:
+    points = {name: 0.0 if name.startswith("I") else value for name, value in data.BENCHMARK.items()}
+    with pytest.raises(fx.LinearizationError, match="stable at no speed up to 12 m/s: its weave grows"):
+        example.stable_range(example.bicycle(points))
+    with pytest.raises(fx.LinearizationError, match="stable at no speed up to 4 m/s"):
+        example.stable_range(example.bicycle(), fastest=4.0)
+    low = {**data.BENCHMARK, "zH": -0.25}
+    with pytest.raises(fx.LinearizationError, match="grows up to 7.008 m/s, and another of its modes beyond"):
+        example.stable_range(example.bicycle(low))

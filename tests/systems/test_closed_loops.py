@@ -11,7 +11,7 @@ from scipy.optimize import brentq
 
 from flexel.base.errors import ConstraintError
 from flexel.examples.published import published
-from flexel.model import Model
+from flexel.parts.model import Model
 
 DATA = Path(__file__).parent.parent / "data"
 
@@ -26,7 +26,9 @@ def cardan(beta: float, J1: float = 0.3, J2: float = 0.5) -> Model:
     """
     m = Model()
     O = m.point("O", (0, 0, 0), fixed=True)
-    ground, one, cross, two = (m.frame(z, fixed=z == "ground") for z in ("ground", "one", "cross", "two"))
+    ground, one, cross, two = (
+        m.frame(name, fixed=name == "ground") for name in ("ground", "one", "cross", "two")
+    )
     out = np.array([np.cos(beta), np.sin(beta), 0.0])
     m.hinge("drive", ground, one, axis=(1, 0, 0))
     m.hinge("pin1", one, cross, axis=(0, 1, 0))
@@ -37,7 +39,7 @@ def cardan(beta: float, J1: float = 0.3, J2: float = 0.5) -> Model:
     return m
 
 
-@pytest.mark.parametrize("row", HOOKE["table_beta30_convA"], ids=lambda z: f"{z['theta1_deg']} deg")
+@pytest.mark.parametrize("row", HOOKE["table_beta30_convA"], ids=lambda row: f"{row['theta1_deg']} deg")
 def test_cardan_joint_transmits_by_its_closed_form_ratio(row: dict) -> None:
     theta1 = np.deg2rad(row["theta1_deg"])
     m = cardan(np.pi / 6)
@@ -67,7 +69,7 @@ def test_cardan_driven_freely_follows_its_energy_integral() -> None:
     m.independent("drive.angle")
     m.initial("drive.angle", rate=reference["w1_0"])
     rows = reference["rows"]
-    motion = m.build().simulate(rows[-1]["t"], times=[z["t"] for z in rows], rtol=1e-12, atol=1e-13)
+    motion = m.build().simulate(rows[-1]["t"], times=[row["t"] for row in rows], rtol=1e-12, atol=1e-13)
     for state, row in zip(motion, rows, strict=True):
         assert abs(state["drive.angle"] - row["theta1"]) < 1e-9
         assert abs(state.rate("drive.angle") - row["w1"]) < 2e-9
@@ -120,16 +122,18 @@ def planar_four_bar() -> Model:
 
 def spatial_four_bar(release: tuple[str, ...] = ()) -> Model:
     """The same of hinges in space: 3 x 3 turns and 6 coordinates, 8 + 9 conditions, three of them repeated."""
-    B, C = (np.append(z, 0.0) for z in four_bar_points())
+    B, C = (np.append(point, 0.0) for point in four_bar_points())
     m = Model(gravity=(0, -9.81, 0))
     A0, D0 = m.point("A", (0, 0, 0), fixed=True), m.point("D", (LINKS[0], 0, 0), fixed=True)
     b, c = m.point("B", B), m.point("C", C)
-    ground, crank, coupler, rocker = (m.frame(z, fixed=z == "g") for z in ("g", "crank", "coupler", "rocker"))
-    z = (0, 0, 1)
-    m.hinge("input", ground, crank, axis=z)
-    m.hinge("joint B", crank, coupler, axis=z)
-    m.hinge("joint C", coupler, rocker, axis=z)
-    m.hinge("output", ground, rocker, axis=z)
+    ground, crank, coupler, rocker = (
+        m.frame(name, fixed=name == "g") for name in ("g", "crank", "coupler", "rocker")
+    )
+    axis = (0, 0, 1)
+    m.hinge("input", ground, crank, axis=axis)
+    m.hinge("joint B", crank, coupler, axis=axis)
+    m.hinge("joint C", coupler, rocker, axis=axis)
+    m.hinge("output", ground, rocker, axis=axis)
     m.beam("crank bar", A0, crank, b, mass_per_length=1.0)
     m.beam("coupler bar", b, coupler, c, mass_per_length=2.0)
     m.beam("rocker bar", D0, rocker, c, mass_per_length=1.5)
@@ -153,7 +157,7 @@ def freudenstein(crank: float) -> float:
 def test_planar_four_bar_closes_and_keeps_its_energy_over_full_turns() -> None:
     motion = planar_four_bar().build().simulate(4.0, samples=161, rtol=1e-11, atol=1e-12)
     drawn = freudenstein(np.pi / 3)
-    turned = np.array([freudenstein(np.pi / 3 + z) for z in motion["input.angle"]]) - drawn
+    turned = np.array([freudenstein(np.pi / 3 + angle) for angle in motion["input.angle"]]) - drawn
     assert np.max(np.abs(motion["output.angle"] - turned)) < 1e-11
     assert np.ptp(motion["input.angle"]) > 2 * np.pi
     E = motion.energy["total"]
@@ -199,7 +203,7 @@ def test_spatial_four_bar_closes_its_loop(universal: bool) -> None:
     for state in motion:
         theta, phi = state["input.angle"], state["output.angle"]
         B = 0.4 * np.array([np.cos(theta), np.sin(theta), 0])
-        gap = lambda z, B=B: np.linalg.norm(rocker(z) - B) - L  # noqa: E731
+        gap = lambda angle, B=B: np.linalg.norm(rocker(angle) - B) - L  # noqa: E731
         assert abs(brentq(gap, phi - 0.05, phi + 0.05, xtol=1e-15) - phi) < 1e-12
     E = motion.energy["total"]
     assert np.ptp(E) < 1e-9 * np.ptp(motion.energy["kinetic"])
@@ -207,7 +211,10 @@ def test_spatial_four_bar_closes_its_loop(universal: bool) -> None:
 
 def test_the_slender_coupler_moves_alike_between_balls_and_with_a_universal_joint() -> None:
     """A rod without rotary inertia does not feel which way it may not turn about itself."""
-    a, b = (rssr(z).build().simulate(0.8, samples=5, rtol=1e-11, atol=1e-12) for z in (False, True))
+    a, b = (
+        rssr(universal).build().simulate(0.8, samples=5, rtol=1e-11, atol=1e-12)
+        for universal in (False, True)
+    )
     assert np.max(np.abs(a["output.angle"] - b["output.angle"])) < 1e-10
 
 
@@ -220,7 +227,9 @@ def test_spatial_slider_crank_follows_the_iftomm_reference() -> None:
     slide = np.array([rows[0]["slider_x"], 0, 0])
     A0, B, S = m.point("A", start, fixed=True), m.point("B", elbow), m.point("S", slide)
     m.fix("S.y", "S.z")
-    ground, crank, cross, rod = (m.frame(z, fixed=z == "ground") for z in ("ground", "crank", "cross", "rod"))
+    ground, crank, cross, rod = (
+        m.frame(name, fixed=name == "ground") for name in ("ground", "crank", "cross", "rod")
+    )
     m.hinge("crank hinge", ground, crank, axis=(1, 0, 0))
     m.hinge("slider fork", ground, cross, axis=(1, 0, 0))
     m.hinge("rod fork", cross, rod, axis=(0, 2, -1))
@@ -236,7 +245,7 @@ def test_spatial_slider_crank_follows_the_iftomm_reference() -> None:
     m.initial("crank hinge.angle", rate=p["crank_omega0"])
     s = m.build()
     assert np.max(np.abs(omega(s, rod) - [1.92, -0.96, 0.48])) < 1e-12
-    motion = s.simulate(rows[-1]["t"], times=[z["t"] for z in rows], rtol=1e-11, atol=1e-12)
+    motion = s.simulate(rows[-1]["t"], times=[row["t"] for row in rows], rtol=1e-11, atol=1e-12)
     for state, row in zip(motion, rows, strict=True):
         assert abs(state["S.x"] - row["slider_x"]) < 1e-7
         assert abs(state.rate("S.x") - row["slider_v"]) < 1e-6

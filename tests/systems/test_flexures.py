@@ -4,28 +4,24 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from system_rows import not_reproduced, rows_of
 
 import flexel as fx
 from flexel.examples import flexures as example
 from flexel.examples import flexures_exact as exact
-from flexel.examples.flexures_table import rows as table
-from flexel.results.report import Quantity
 
 
 @pytest.fixture(scope="module")
-def results() -> example.Results:
+def results() -> example.FlexureResults:
     return example.analyse()
 
 
-@pytest.fixture(scope="module")
-def rows(results: example.Results) -> dict[str, Quantity]:
-    return {row.name: row for row in table(results)}
-
-
-def test_every_closed_form_is_met(rows: dict[str, Quantity]) -> None:
-    assert [row.name for row in rows.values() if not row.ok] == []
-    assert sum(row.reference is not None for row in rows.values()) >= 34
-    assert {row.kind for row in rows.values()} == {"closed form", "none"}
+@pytest.mark.ci
+def test_every_closed_form_is_met() -> None:
+    rows = rows_of("flexures").values()
+    assert not_reproduced("flexures") == {}
+    assert sum(row["reference"] is not None for row in rows) >= 34
+    assert {row["kind"] for row in rows} == {"closed form", "none"}
 
 
 # -- the closed forms themselves, at their known limits -------------------------------------------
@@ -61,9 +57,10 @@ def test_elastica_is_the_tabulated_one() -> None:
 # -- physics over the range -----------------------------------------------------------------------
 
 
+@pytest.mark.ci
 @pytest.mark.parametrize("case", ["guide", "pivot"])
 def test_support_stiffness_falls_over_the_range_and_the_drive_keeps_its_own(
-    results: example.Results, case: str
+    results: example.FlexureResults, case: str
 ) -> None:
     stations = getattr(results, case)
     drive, guided = ("y", "x") if case == "guide" else ("turn z", "x")
@@ -73,8 +70,11 @@ def test_support_stiffness_falls_over_the_range_and_the_drive_keeps_its_own(
     assert stations[-1].free.stiffness()[drive] == pytest.approx(stations[0].free.stiffness()[drive], rel=0.1)
 
 
+@pytest.mark.ci
 @pytest.mark.parametrize("case", ["guide", "pivot"])
-def test_compliance_is_symmetric_and_positive_at_every_station(results: example.Results, case: str) -> None:
+def test_compliance_is_symmetric_and_positive_at_every_station(
+    results: example.FlexureResults, case: str
+) -> None:
     for s in getattr(results, case):
         scale = np.sqrt(np.diag(s.free.matrix))
         C = s.free.matrix / np.outer(scale, scale)
@@ -82,15 +82,19 @@ def test_compliance_is_symmetric_and_positive_at_every_station(results: example.
         assert np.linalg.eigvalsh(C)[0] > 0
 
 
-def test_the_drive_compliance_is_the_slope_of_the_travel(results: example.Results) -> None:
+@pytest.mark.ci
+def test_the_drive_compliance_is_the_slope_of_the_travel(results: example.FlexureResults) -> None:
     system = example.pivot().build()
     start = results.pivot[-1]
-    near = [system.equilibrium(system.equilibrium(t=start.drive), t=start.drive + z) for z in (-1e-5, 1e-5)]
+    near = [
+        system.equilibrium(system.equilibrium(t=start.drive), t=start.drive + step) for step in (-1e-5, 1e-5)
+    ]
     slope = (near[1]["turn.angle"] - near[0]["turn.angle"]) / 2e-5
     assert start.free.matrix[5, 5] == pytest.approx(slope, rel=1e-5)
 
 
-def test_body_axes_turn_with_the_pivot(results: example.Results) -> None:
+@pytest.mark.ci
+def test_body_axes_turn_with_the_pivot(results: example.FlexureResults) -> None:
     last = results.pivot[-1]
     c, s = np.cos(last.travel), np.sin(last.travel)
     e_x = np.array([c, s, 0])
@@ -126,14 +130,15 @@ def test_over_constraint_is_refused_by_name_and_cured_by_the_named_releases(
     m = make(flexible=example.BENDING, elements=1)
     found = m.constraint_report()
     assert len(found.redundant) == 3
-    assert any(z.endswith(".torsion") for named in found.redundant for z in named)
+    assert any(name.endswith(".torsion") for named in found.redundant for name in named)
     with pytest.raises(fx.ConstraintError, match="over-constrained: 3 rigid"):
         m.build()
     m.release(*found.release)
     assert m.build().counts["degrees_of_freedom"] == 1
 
 
-def test_figures_are_written(results: example.Results, tmp_path: Path) -> None:
+@pytest.mark.ci
+def test_figures_are_written(results: example.FlexureResults, tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     from flexel.examples.flexures_figures import pictures
 
@@ -156,7 +161,7 @@ def test_support_stiffness_of_the_bent_guide_converges_to_that_of_curved_bars() 
         state = system.equilibrium(t=1.25)
         found = system.compliance(d.point, d.frame, state, hold=[d.drive]).stiffness()
         expected = exact.bent_guide(d.profile, d.length, example.SPACING, state[d.drive])
-        return np.array([found[z] / expected[z] - 1 for z in ("z", "turn x", "turn y")])
+        return np.array([found[key] / expected[key] - 1 for key in ("z", "turn x", "turn y")])
 
     e = [errors(n) for n in (4, 8, 16)]
     assert np.max(np.abs(e[-1])) < 6e-3

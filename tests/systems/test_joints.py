@@ -50,7 +50,7 @@ def test_friction_and_stops_act_on_every_free_coordinate_of_every_joint(name: st
 def test_every_joint_is_on_the_page_with_a_picture() -> None:
     pictures = set(re.findall(r"images/joint_(\w+)\.png", PAGE))
     assert pictures == set(JOINTS)
-    assert {z.stem.removeprefix("joint_") for z in (DOCS / "images").glob("joint_*.png")} == set(JOINTS)
+    assert {path.stem.removeprefix("joint_") for path in (DOCS / "images").glob("joint_*.png")} == set(JOINTS)
     for name in JOINTS.keys() - {"bevel", "worm", "flat_cam"}:
         assert f"m.{name}(" in PAGE
 

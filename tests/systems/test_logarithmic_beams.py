@@ -138,8 +138,8 @@ def test_small_vibrations_are_those_of_the_classic_beam() -> None:
     beam = {"EA": 50.0, "GJ": 2.0, "EIy": 3.0, "EIz": 5.0, "GAy": 11.0, "GAz": 13.0, "mass_per_length": 1.0}
     beam["inertia_per_length"] = (0.02, 0.01, 0.01)
     found = [
-        np.sort(chain(3, rotations=z, **beam).build().linearize().eigenvalues().imag)
-        for z in ("classic", "logarithmic")
+        np.sort(chain(3, rotations=rotations, **beam).build().linearize().eigenvalues().imag)
+        for rotations in ("classic", "logarithmic")
     ]
     assert np.max(np.abs(found[0] - found[1])) < 1e-8
 

@@ -8,7 +8,7 @@ from click.testing import CliRunner
 from scipy.signal import StateSpace
 
 import flexel as fx
-from flexel.commands.main import main
+from flexel.apps.cli.main import main
 from flexel.examples.manipulator import (
     DESIGN,
     JOINTS,
@@ -97,8 +97,8 @@ def test_the_example_runs_as_a_users_file(tmp_path: Path, checkout: Path) -> Non
     file = checkout / "examples" / "manipulator.py"
     result = CliRunner().invoke(main, ["run", str(file), "--out", str(tmp_path)])
     assert result.exit_code == 0, result.output
-    assert sorted(z.name for z in tmp_path.glob("*.png")) == [
-        f"manipulator_{z}.png" for z in ("closed_loop", "poles", "shapes")
+    assert sorted(path.name for path in tmp_path.glob("*.png")) == [
+        f"manipulator_{name}.png" for name in ("closed_loop", "poles", "shapes")
     ]
     assert tip_error(fx.load(tmp_path / "manipulator.npz"))[-1] < 2e-3  # type: ignore[arg-type]
 

@@ -8,7 +8,7 @@ import pytest
 from differences import pendulum, worst
 from scipy.special import ellipj, ellipk
 
-from flexel.model import Model
+from flexel.parts.model import Model
 
 DATA = Path(__file__).parent.parent / "data"
 
@@ -58,10 +58,12 @@ def test_simple_pendulum_follows_the_iftomm_reference() -> None:
     m.beam("rod", O, R1, A)
     m.point_mass("bob", A, 1.0)
     rows = data["reference"]
-    motion = m.build().simulate(10.0, times=[float(z["t"]) for z in rows], rtol=1e-12, atol=1e-13)
+    motion = m.build().simulate(10.0, times=[float(row["t"]) for row in rows], rtol=1e-12, atol=1e-13)
     for state, row in zip(motion, rows, strict=True):
         computed = [*state.position("A")[[0, 2]], *state.velocity("A")[[0, 2]]]
-        assert worst(np.array(computed), np.array([float(row[z]) for z in ("x", "y", "vx", "vy")])) < 2e-10
+        assert (
+            worst(np.array(computed), np.array([float(row[key]) for key in ("x", "y", "vx", "vy")])) < 2e-10
+        )
     assert np.ptp(motion.energy["total"]) < 1e-10
     assert np.max(motion.drift) < 1e-13
 

@@ -12,8 +12,8 @@ import pytest
 
 from flexel.base.arrays import Array
 from flexel.base.quaternions import turn
-from flexel.model import Model
-from flexel.system import System
+from flexel.parts.model import Model
+from flexel.results.system_facade import System
 
 DATA = Path(__file__).parent.parent / "data"
 PLANAR_MODES = {"elongation": "elongation", "bend1": "bend3", "bend2": "bend4"}  # e1, e2, e3 are e1, e5, e6
@@ -63,7 +63,7 @@ def arm(planar: bool, second_order: bool = True) -> System:
     m.point_mass("nut", "A", 0.4)
     m.load("C", vector(planar, 3.0, 5.0))
     m.load("hub.angle", lambda t: 2.0 * np.sin(5 * t))
-    modes = PLANAR_MODES if planar else {z: z for z in PLANAR_MODES.values()}
+    modes = PLANAR_MODES if planar else {mode: mode for mode in PLANAR_MODES.values()}
     m.independent("hub.angle", *(f"b{i}.{mode}" for i in range(2) for mode in modes))
     m.initial("hub.angle", rate=1.5)
     return m.build()
@@ -93,7 +93,7 @@ def test_planar_arm_moves_as_the_spatial_one(arms: tuple[System, System]) -> Non
         {"b0.elongation": 0.002, "b0.bend3": 0.05, "b1.bend4": -0.03},
     )
     start = [s.state_at(shape) for s, shape in zip(arms, shapes, strict=True)]
-    plane, space = (s.simulate(0.1, start=z, samples=4) for s, z in zip(arms, start, strict=True))
+    plane, space = (s.simulate(0.1, start=initial, samples=4) for s, initial in zip(arms, start, strict=True))
     for node in "ABC":
         assert np.max(np.abs(plane.position(node) - space.position(node)[:, :2])) < 1e-8
         assert np.max(np.abs(space.position(node)[:, 2])) < 1e-12
@@ -126,7 +126,7 @@ def test_bending_is_positive_towards_the_normal_of_the_plane(planar: bool) -> No
         x[s.structure.places(name)] = 0.1 if planar else turn((0, 0, 1), 0.1)
     e = s.evaluation.position(x)[0]
     first, second = (
-        s.structure.find(f"b.{z}") for z in (("bend1", "bend2") if planar else ("bend3", "bend4"))
+        s.structure.find(f"b.{mode}") for mode in (("bend1", "bend2") if planar else ("bend3", "bend4"))
     )
     assert abs(e[first] + 2 * np.sin(0.1)) < 1e-14
     assert abs(e[second] - 2 * np.sin(0.1)) < 1e-14
@@ -182,7 +182,7 @@ PRINTED = {"3.x": 5.199e-2, "3.y": 1.407e-1, "6.x": 1.863e-1, "6.y": 7.383e-2}
 def slider_crank(second_order: bool = False) -> System:
     """The file's three beams: a rigid crank and a rod of two flexible elements; nodes keep their numbers."""
     rows = [line.split() for line in (DATA / "slider_crank.dat").read_text().splitlines() if line[0] != "*"]
-    number = {(w[0], w[1]): [float(z) for z in w[2:]] for w in rows if len(w) > 2}
+    number = {(w[0], w[1]): [float(word) for word in w[2:]] for w in rows if len(w) > 2}
     at = {w[1]: (float(w[2]), float(w[3])) for w in rows if w[0] == "X"}
     m = Model()
     m.point("n1", (0, 0), fixed=True)
@@ -196,7 +196,7 @@ def slider_crank(second_order: bool = False) -> System:
             continue
         stiff = number.get(("ESTIFF", w[1]))
         bend = {"rigid": True} if stiff is None else {"EIz": stiff[1]}
-        ends = [f"n{z}" for z in w[2:]]
+        ends = [f"n{word}" for word in w[2:]]
         rhoA = number["EMASS", w[1]][0]
         m.beam(f"e{w[1]}", *ends, **bend, mass_per_length=rhoA, second_order=second_order)
     m.point_mass("slider", "n8", number["MASS", "8"][0])

@@ -16,13 +16,13 @@ def test_disc_follows_the_reference(case: dict) -> None:
     psi, theta, phi, psid, thetad, omega3, x, y = case["y0"]
     rows = case["reference"]
     s = disc(theta, (psid, thetad, omega3)).build()
-    motion = s.simulate(rows[-1]["t"], times=[z["t"] for z in rows], rtol=1e-12, atol=1e-12)
+    motion = s.simulate(rows[-1]["t"], times=[row["t"] for row in rows], rtol=1e-12, atol=1e-12)
     hub0 = motion[0].position("hub")
     for state, row in zip(motion, rows, strict=True):
         lean = state["lean.angle"] + np.pi / 2
         computed = [state["yaw.angle"], lean, state["roll.angle"], state.rate("yaw.angle")]
         computed += [state.rate("lean.angle"), state.rate("roll.angle") + computed[3] * np.cos(lean)]
-        reference = [row[z] for z in ("psi", "theta", "phi", "psid", "thetad", "omega3")]
+        reference = [row[key] for key in ("psi", "theta", "phi", "psid", "thetad", "omega3")]
         assert np.max(np.abs(np.array(computed) - reference)) < 1e-9
         moved = (state.position("hub") - hub0)[:2]
         assert np.max(np.abs(moved - [row["x"], row["y"]])) < 1e-9
@@ -44,7 +44,7 @@ def test_disc_runs_upright_above_the_critical_speed() -> None:
         assert min(abs(w - root)) < 1e-11
         assert min(abs(w + root)) < 1e-11
         # lean'' with yaw' eliminated: det of the lean equation vanishes at the critical speed
-        i = [lin.dynamic.index(z) for z in ("yaw.angle", "lean.angle", "roll.angle")]
+        i = [lin.dynamic.index(name) for name in ("yaw.angle", "lean.angle", "roll.angle")]
         assert abs(lin.M[i[1], i[1]] - (It + mr2)) < 1e-13
         assert abs(lin.K[i[1], i[1]] + P["m"] * P["g"] * P["r"]) < 1e-12
 
@@ -72,7 +72,7 @@ def test_disc_on_a_steady_circle_is_found_and_linearized() -> None:
         assert abs(steady.acceleration(name)) < 1e-11
     centre_speed = np.linalg.norm(steady.velocity("hub"))
     assert abs(centre_speed / example["psid"] - example["centre_path_radius"]) < 1e-11
-    frequency = max(complex(z).imag for z in example["eigenvalues"])
+    frequency = max(complex(value).imag for value in example["eigenvalues"])
     assert min(abs(s.linearize(steady).eigenvalues() - 1j * frequency)) < 1e-9
     # wheel-road forces: weight, and centripetal force towards the centre of the circle
     assert abs(steady.force("wheel.surface")) - P["m"] * P["g"] < 1e-11

@@ -15,7 +15,7 @@ from flexel.examples import rope_pendulums as pendulums
 from flexel.examples import rope_sheaves as sheaves
 from flexel.examples import rope_swings as swings
 from flexel.examples import rope_waves as waves
-from flexel.results.report import Quantity
+from flexel.results.reproduction import Quantity
 
 
 @pytest.fixture(scope="module")
@@ -31,21 +31,23 @@ def at_rest() -> list[Quantity]:
 
 
 def failures(rows: list[Quantity]) -> list[str]:
-    return [f"{z.name}: {z.error}" for z in rows if not z.ok]
+    return [f"{row.name}: {row.error}" for row in rows if not row.ok]
 
 
 def orders(rows: list[Quantity]) -> dict[str, Any]:
-    return {z.name: z.more["order"] for z in rows if "order" in z.more}
+    return {row.name: row.more["order"] for row in rows if "order" in row.more}
 
 
 def test_hanging_ropes_and_chains_converge_with_their_order(at_rest: list[Quantity]) -> None:
     assert failures(at_rest) == []
     found = orders(at_rest)
-    assert [found[z] for z in ("catenary_error", "catenary_sag_error")] == pytest.approx([4, 4], abs=0.05)
+    assert [found[name] for name in ("catenary_error", "catenary_sag_error")] == pytest.approx(
+        [4, 4], abs=0.05
+    )
     assert found["hanging_frequencies_error"] == pytest.approx(2, abs=0.05)
     assert found["loaded_chain_frequencies_error"] > 2.5
     assert found["elastica_error"] == pytest.approx(4, abs=0.05)
-    coarse, *_ = next(z.more["errors"] for z in at_rest if z.name == "wrapped_rope_error")
+    coarse, *_ = next(row.more["errors"] for row in at_rest if row.name == "wrapped_rope_error")
     assert coarse < 5e-3  # elements of 0.45 radii
 
 
@@ -55,12 +57,13 @@ def test_waves_and_sudden_loads_have_their_closed_forms() -> None:
     assert failures(rows) == []
     found = orders(rows)
     assert found["wave_pulse_error"] == pytest.approx(2, abs=0.2)
-    assert min(found[z] for z in ("wave_speed_error", "wave_reflection_error", "sudden_load_error")) > 2
+    assert min(found[name] for name in ("wave_speed_error", "wave_reflection_error", "sudden_load_error")) > 2
     assert 0.6 < found["wave_tip_error"] < 1
     assert found["axial_frequencies_error"] > 5
 
 
 @pytest.mark.slow
+@pytest.mark.ci
 def test_pendulum_converges_and_a_swinging_rope_keeps_its_energy() -> None:
     rows = swings.rows()
     assert failures(rows) == []
@@ -90,6 +93,7 @@ def test_reference_of_the_swinging_atwoods_machine_without_a_swing_is_the_cosh_l
 
 
 @pytest.mark.slow
+@pytest.mark.ci
 def test_ropes_wrap_and_unwrap_a_sheave_as_lagranges_equations_say() -> None:
     rows = pendulums.rows()
     assert failures(rows) == []
@@ -97,8 +101,9 @@ def test_ropes_wrap_and_unwrap_a_sheave_as_lagranges_equations_say() -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.ci
 def test_capstan_has_eulers_ratio_for_all_wraps_and_frictions_of_the_table(benchmark: dict[str, Any]) -> None:
-    table = {(z["mu"], z["phi_deg"]): z["ratio"] for z in benchmark["capstan"]["table"]}
+    table = {(row["mu"], row["phi_deg"]): row["ratio"] for row in benchmark["capstan"]["table"]}
     assert set(table) == {(mu, wrap) for mu in sheaves.FRICTIONS for wrap in sheaves.WRAPS}
     rows = sheaves.capstan()
     assert failures(rows) == []
@@ -106,7 +111,7 @@ def test_capstan_has_eulers_ratio_for_all_wraps_and_frictions_of_the_table(bench
 
 def test_atwoods_machine_falls_as_its_closed_form_says(benchmark: dict[str, Any]) -> None:
     data, t = benchmark["atwood_pulley_inertia"], np.array([1e-3])
-    given = {z: data["data"][z] for z in ("m1", "m2")} | {
+    given = {key: data["data"][key] for key in ("m1", "m2")} | {
         "inertia": data["data"]["I"],
         "radius": data["data"]["R"],
     }
@@ -145,13 +150,14 @@ def test_impact_without_dissipation_gives_the_speed_back() -> None:
 
 def test_hoist_with_one_dof_is_that_of_the_table(benchmark: dict[str, Any]) -> None:
     rows = benchmark["hoist_reduced_1dof"]["reference"]
-    t, x, tension = (np.array([row[z] for row in rows]) for z in ("t", "x", "T_over_mg"))
+    t, x, tension = (np.array([row[key] for row in rows]) for key in ("t", "x", "T_over_mg"))
     depth, pull = hoists.reduced(t, stretched=False)
     assert depth == pytest.approx(x, abs=1e-7)
     assert pull == pytest.approx(tension, abs=1e-4)
 
 
 @pytest.mark.slow
+@pytest.mark.ci
 def test_winding_hoist_lifts_as_with_one_dof() -> None:
     """What remains on fine meshes is the creep of the rope on the drum, which one degree of freedom has not."""
     rows = hoists.hoist()
@@ -160,6 +166,7 @@ def test_winding_hoist_lifts_as_with_one_dof() -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.ci
 def test_tackle_has_the_advantage_the_speed_ratio_and_the_efficiency_of_its_falls() -> None:
     rows = hoists.tackle()
     assert failures(rows) == []
@@ -184,6 +191,7 @@ def test_winch_lifts_by_the_length_of_the_helix_and_moves_its_rope_by_the_lead(l
 
 
 @pytest.mark.slow
+@pytest.mark.ci
 def test_figures_are_written(at_rest: list[Quantity], tmp_path: Path) -> None:
     pytest.importorskip("matplotlib", reason="pictures need matplotlib: pip install 'flexel[plot]'")
     from flexel.examples.rope_figures import pictures

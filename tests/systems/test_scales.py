@@ -81,7 +81,7 @@ def wheel(L: float, M: float, T: float) -> tuple[fx.Model, str]:
     m.frame("rim")
     m.point("contact", (0, 0, 0))
     m.wheel("w", "hub", "rim", "contact", radius=0.4 * L, axle=(0, 1, 0))
-    m.body("tyre", "hub", "rim", mass=2 * M, inertia=tuple(z * M * L**2 for z in (0.1, 0.2, 0.1)))
+    m.body("tyre", "hub", "rim", mass=2 * M, inertia=tuple(share * M * L**2 for share in (0.1, 0.2, 0.1)))
     m.load("hub.x", M * L / T**2)
     return m, "hub.x"
 
@@ -112,7 +112,7 @@ def results(make: Maker, units: Units) -> Array:
     system, found = m.build(), []
     if make is not wheel:
         rest = system.equilibrium()
-        found += [rest[name] / L, *(z.omega * T for z in system.vibrations(count=2))]
+        found += [rest[name] / L, *(mode.omega * T for mode in system.vibrations(count=2))]
         found += sorted(abs(system.linearize(rest).eigenvalues()) * T)[:2]
     found.append(system.simulate(0.3 * T, method="DOP853", samples=2, progress=False)[-1][name] / L)
     options = {"method": "generalized-alpha", "step": 0.01 * T}

@@ -53,11 +53,14 @@ def test_harmonics_are_those_of_the_reference_rod() -> None:
 
 def test_planar_and_spatial_model_agree() -> None:
     """Transient and linearized periodic motion, the same numbers to rounding of the integrator."""
-    planar, spatial = (example.slider_crank(data.SPEED, spatial=z) for z in (False, True))
-    runs = [z.simulate(0.01, samples=21, method="LSODA", rtol=1e-9, atol=1e-12) for z in (planar, spatial)]
-    a, b = (example.deflection(z, 2) for z in runs)
+    planar, spatial = (example.slider_crank(data.SPEED, spatial=space) for space in (False, True))
+    runs = [
+        system.simulate(0.01, samples=21, method="LSODA", rtol=1e-9, atol=1e-12)
+        for system in (planar, spatial)
+    ]
+    a, b = (example.deflection(motion, 2) for motion in runs)
     assert np.max(np.abs(a - b)) < 1e-7
-    a, b = (example.linearized(data.SPEED, spatial=z) for z in (False, True))
+    a, b = (example.linearized(data.SPEED, spatial=space) for space in (False, True))
     assert np.max(np.abs(a - b)) < 1e-12
 
 
@@ -132,7 +135,7 @@ def test_disturbances_of_both_stable_motions_decay(folded: fx.PeriodicBranch) ->
         solution = folded[k]
         assert folded.stable[k]
         system, start = solution.motion.system, solution.motion[0]
-        disturbed = system.state_at({z: 1.02 * start[z] for z in system.dynamic}, start=start)
+        disturbed = system.state_at({name: 1.02 * start[name] for name in system.dynamic}, start=start)
         run = system.simulate(
             20 * solution.period, start=disturbed, samples=21, method="DOP853", rtol=1e-7, atol=1e-10
         )

@@ -19,10 +19,10 @@ def test_the_formulas_give_the_published_matrices() -> None:
 def test_the_map_is_right_at_each_point() -> None:
     pytest.importorskip("joblib", reason="sweeps need pip install 'flexel[sweep]'")
     found = sweep(4, executor="serial")
-    assert [z.name for z in rows(found) if z.ok is False] == []
+    assert [row.name for row in rows(found) if row.ok is False] == []
     steady = stable(found)
     for i, j, k in ((0, 0, 200), (1, 2, 150), (3, 3, 220), (0, 3, 120), (2, 1, 300)):
-        M, C1, K0, K2 = (found[z].values[i, j] for z in stability_map.MATRICES)
+        M, C1, K0, K2 = (found[name].values[i, j] for name in stability_map.MATRICES)
         v = float(SPEEDS[k])
         K = data.BENCHMARK["g"] * K0 + v**2 * K2
         A = np.block([[np.zeros((2, 2)), np.eye(2)], [-np.linalg.solve(M, K), -np.linalg.solve(M, v * C1)]])
@@ -31,14 +31,15 @@ def test_the_map_is_right_at_each_point() -> None:
 
 
 def test_the_stable_range_of_the_benchmark() -> None:
-    one = {z: np.array(getattr(data, z))[None, None] for z in stability_map.MATRICES}
-    steady = stable({z: type("Values", (), {"values": value}) for z, value in one.items()})[0, 0]
+    one = {name: np.array(getattr(data, name))[None, None] for name in stability_map.MATRICES}
+    steady = stable({name: type("Values", (), {"values": value}) for name, value in one.items()})[0, 0]
     inside = SPEEDS[steady]
     assert inside[0] == pytest.approx(data.WEAVE_SPEED, abs=0.025)
     assert inside[-1] == pytest.approx(data.CAPSIZE_SPEED, abs=0.025)
 
 
 @pytest.mark.slow
+@pytest.mark.ci
 def test_the_picture(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib", reason="pictures need pip install 'flexel[plot]'")
     pytest.importorskip("joblib", reason="sweeps need pip install 'flexel[sweep]'")

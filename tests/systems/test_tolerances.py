@@ -42,5 +42,5 @@ def test_the_propagation_of_errors_is_that_of_the_closed_form() -> None:
 def test_a_row_of_other_frequencies_fails() -> None:
     closed = np.array([example.expected(example.stages(32).point(i)) for i in range(32)])
     found = np.column_stack([closed * (1 + 2e-4), 30 * closed, 31 * closed])
-    verdicts = {z.name: z.ok for z in example.rows(found, closed)}
+    verdicts = {row.name: row.ok for row in example.rows(found, closed)}
     assert not verdicts["lowest_p50"] and not verdicts["largest_difference"]

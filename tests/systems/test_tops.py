@@ -10,7 +10,7 @@ from mechanisms import heavy_top
 from scipy.special import ellipj
 
 from flexel.base.quaternions import matrix
-from flexel.model import Model
+from flexel.parts.model import Model
 
 DATA = Path(__file__).parent.parent / "data"
 END = 2.0
@@ -30,13 +30,13 @@ def on_three_hinges(inertia: tuple[float, float, float], mass: float, height: fl
 def test_heavy_top_follows_the_reference() -> None:
     """A free frame that turns 48 times in 2 s and hangs straight down on the way, where Euler angles would fail."""
     data = json.loads((DATA / "heavy_top.json").read_text())
-    rows = [z for z in data["reference"] if z["t"] <= END]
-    motion = heavy_top().simulate(END, times=[z["t"] for z in rows], rtol=2e-12, atol=2e-12)
+    rows = [row for row in data["reference"] if row["t"] <= END]
+    motion = heavy_top().simulate(END, times=[row["t"] for row in rows], rtol=2e-12, atol=2e-12)
     assert motion.statistics["rechoices"] > 5
     for state, row in zip(motion, rows, strict=True):
         R = matrix(state.position("top"))
         assert np.max(np.abs(R[:, 1] - row["com"])) < data["tolerance"]["com_abs_t2"]
-        omega = [state.rate(f"top.body_omega.w{z}") for z in "xyz"]
+        omega = [state.rate(f"top.body_omega.w{axis}") for axis in "xyz"]
         assert worst(np.array(omega), np.array(row["omega_body"])) < 1e-8
         q = state.position("top")
         reference = np.array(row["euler_parameters_e0e1e2e3"])
@@ -84,7 +84,7 @@ def test_sleeping_top_needs_enough_spin(spin: float) -> None:
     w = s.linearize().eigenvalues()
     complex_form = np.roots([1, -1j * C * 10 * spin / A, -MASS * 9.81 * HEIGHT / A])
     expected = np.concatenate([complex_form, complex_form.conj()])
-    assert all(np.min(np.abs(w - z)) < 1e-6 for z in expected)
+    assert all(np.min(np.abs(w - root)) < 1e-6 for root in expected)
     unstable = (C * 10 * spin) ** 2 < 4 * A * MASS * 9.81 * HEIGHT
     assert (np.max(w.real) > 1e-3) == unstable
 
@@ -109,7 +109,7 @@ def test_free_asymmetric_body_moves_in_jacobi_elliptic_functions() -> None:
     motion = m.build().simulate(12.0, samples=61, rtol=1e-11, atol=1e-12)
     assert motion.statistics["rechoices"] > 0
     sn, cn, dn, _ = ellipj(rate * motion.t, k2)
-    omega = np.column_stack([motion.rate(f"{w}.w{z}") for z in "xyz"])
+    omega = np.column_stack([motion.rate(f"{w}.w{axis}") for axis in "xyz"])
     assert np.max(np.abs(omega - np.column_stack([a * cn, b * sn, c * dn]))) < 1e-8
     spatial = np.array([matrix(s.position("R")) @ (J * o) for s, o in zip(motion, omega, strict=True)])
     assert np.max(np.abs(spatial - spatial[0])) < 1e-8  # angular momentum is fixed in space
@@ -122,7 +122,7 @@ def test_only_the_spin_about_the_intermediate_axis_is_unstable(axis: int) -> Non
     """λ² = Ω² (J3 - J2)(J2 - J1) … / …: real about the intermediate axis, ± i about the other two."""
     moments, rate = (1.0, 2.0, 2.7), 3.0
     order = {"yxz": 1, "xyz": 0, "zxy": 2}
-    axes = next(z for z, i in order.items() if i == axis)
+    axes = next(letters for letters, i in order.items() if i == axis)
     m = on_three_hinges(moments, 1.0, 0.0, axes)  # the first hinge carries the spin and is cyclic
     m.initial("first.angle", rate=rate)
     w = m.build().linearize().eigenvalues()

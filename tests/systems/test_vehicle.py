@@ -98,7 +98,7 @@ def test_the_linearization_is_the_derivative_of_the_nonlinear_equations(tyres: s
 def test_modes_at_20_are_near_those_of_the_symmetric_model() -> None:
     lin = vehicle_runs.linear(20.0)[1]
     assert vehicle_table.named(lin) == pytest.approx(list(vehicle_data.SYMMETRIC), abs=0.06)
-    names = {vehicle_runs.mode_name(z) for z in lin.modes() if z.eigenvalue.imag > 1e-6}
+    names = {vehicle_runs.mode_name(mode) for mode in lin.modes() if mode.eigenvalue.imag > 1e-6}
     assert {"hop bounce", "hop pitch", "hop roll", "hop warp", "bounce", "pitch", "roll"} <= names
     bare = vehicle_runs.linear(20.0, "vertical")[1]
     assert vehicle_table.named(bare) == pytest.approx(list(vehicle_data.SYMMETRIC_NO_SIDE_FORCE), abs=0.01)
@@ -114,7 +114,7 @@ def test_steering_follows_the_other_program(benchmark: dict[str, Any]) -> None:
             state = motion.at(t + vehicle_data.ROUNDED / 2)  # the rounded ramp is that much later
             assert vehicle_signals.yaw_rate(state) == pytest.approx(run["yaw_rate"][k], rel=2e-3)
             assert vehicle_signals.lateral_acceleration(state) == pytest.approx(run["ay_body"][k], rel=5e-3)
-            loads = [run[f"F_{z}"][k] for z in ("FL", "FR", "RL", "RR")]
+            loads = [run[f"F_{wheel}"][k] for wheel in ("FL", "FR", "RL", "RR")]
             assert vehicle_signals.loads(state) == pytest.approx(loads, rel=5e-3)
 
 
@@ -137,8 +137,8 @@ def test_wheels_leave_the_road_and_tyres_their_data_by_name() -> None:
     motion = vehicle_runs.bump(10.0, seconds=0.75)
     assert {"front right", "front left"} <= set(vehicle_signals.lifted(motion))
     assert any(
-        z.startswith("front left tyre") and "end at 12930 N" in z
-        for z in outside(motion.system, list(motion))
+        line.startswith("front left tyre") and "end at 12930 N" in line
+        for line in outside(motion.system, list(motion))
     )
     assert (
         max(motion[f"{CORNERS[0]} leaf.across2"]) > vehicle_data.LEAF_LENGTH - vehicle_data.LEAF_STOP
@@ -187,7 +187,7 @@ def test_a_locked_wheel_on_tyres_that_brake_stops_the_wheel_not_the_program() ->
     system = motorcycle.motorcycle(20.0)
     start = motorcycle.straight(system, 20.0)
     locked = system.state_at({}, {"rear spin.angle": 0.0} | {
-        z: start.rate(z) for z in system.dynamic if z != "rear spin.angle"
+        name: start.rate(name) for name in system.dynamic if name != "rear spin.angle"
     }, start=start)  # fmt: skip
     state = system.simulate(0.004, start=locked, rtol=1e-8)[-1]
     assert state.force("rear tyre.longitudinal") > 0  # against the sliding

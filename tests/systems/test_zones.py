@@ -19,7 +19,7 @@ def zone() -> Zone:
 
 
 def test_its_edges_are_those_of_mathieu_functions(zone: Zone) -> None:
-    exact = [example.mathieu_edges(example.modulation(np.radians(z))) for z in ANGLES]
+    exact = [example.mathieu_edges(example.modulation(np.radians(angle))) for angle in ANGLES]
     assert zone.angles.tolist() == [0.0, *ANGLES]
     assert np.column_stack([zone.low, zone.high])[1:] == pytest.approx(np.array(exact), abs=3e-6)
 
@@ -65,7 +65,9 @@ def test_ranges_of_the_map_are_the_published_speeds_between_the_given_ones() -> 
     w, c = np.array([1.02, 1.1, 1.2]), np.array([0.05, 0.08])
     exact = [[whipple.matrices(stability_map.parameters(float(a), float(b))) for b in c] for a in w]
     axes = ("wheelbase", "trail", "i", "j")
-    data = {z: (axes, np.array([[e[z] for e in row] for row in exact])) for z in stability_map.MATRICES}
+    data = {
+        name: (axes, np.array([[e[name] for e in row] for row in exact])) for name in stability_map.MATRICES
+    }
     found = xarray.Dataset(data, {"wheelbase": w, "trail": c})
     low, high, most = stability_map.ranges(found)
     assert (low[0, 1], high[0, 1]) == pytest.approx((WEAVE_SPEED, CAPSIZE_SPEED), abs=2e-4)

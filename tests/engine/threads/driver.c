@@ -90,7 +90,7 @@ static int implicit_step(task *own, double t)
     int failed = flexel_radau_begin(s, c, r);
     failed = failed ? failed : flexel_radau_step(s, c, r);
     if (!failed)
-        flexel_radau_accept(s, r);
+        flexel_radau_accept(s, c, r);
     return failed;
 }
 

@@ -1,0 +1,1 @@
+"""Programs on the runtime: pictures, SPACAR files, tables of flexures, sweeps and the command line."""

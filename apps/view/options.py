@@ -1,0 +1,34 @@
+"""Checks options that a method passes on to a picture, by name, where the user gives them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import fields
+from inspect import Parameter, signature
+from typing import Any
+
+from flexel.apps.view.scene import View
+from flexel.base.arguments import unknown
+from flexel.base.errors import ModelError
+
+METHOD_PARAMETERS = ("path", "modes")  # parameters that belong to the methods
+
+
+def checked(owner: str, picture: Callable[..., Any], options: Mapping[str, Any]) -> dict[str, Any]:
+    """Return the options, all of which the function that makes the picture accepts.
+
+    Raises
+    ------
+    ModelError
+        An option of `View` given next to `view`, or an unknown one, with the nearest names.
+    """
+    known = [
+        option.name
+        for option in signature(picture).parameters.values()
+        if option.default is not Parameter.empty and option.name not in METHOD_PARAMETERS
+    ]
+    for wrong in (option for option in options if option not in known):
+        if "view" in known and wrong in {field.name for field in fields(View)}:
+            raise ModelError(f"{owner}: '{wrong}' is an option of View; write view=fx.View({wrong}=…)")
+        raise ModelError(f"{owner}: {unknown(wrong, known, 'option')}")
+    return dict(options)

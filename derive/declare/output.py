@@ -1,0 +1,62 @@
+"""Outputs: what an element reports beside its deformations, such as section forces, and what a picture draws of it."""
+
+from dataclasses import dataclass
+
+from sympy import Expr, ImmutableDenseMatrix, Matrix, sympify
+
+from flexel.derive.declare.words import LINES, check_word
+from flexel.derive.definition_errors import ElementError
+
+
+@dataclass(frozen=True)
+class Output:
+    """Quantity of an element: a function of coordinates, parameters, deformations, stresses and forces on its nodes.
+
+    Parameters
+    ----------
+    name : str
+        A name in C.
+    unit : str
+        SI unit of all components, "1" if they have none.
+    values : Expr or Matrix
+        One expression, a column of components, or a matrix with a row for each place or direction.  They may contain
+        ``deformation.value``, ``deformation.stress``, ``slip.stress`` and the forces ``node.f``.
+    draws : str, optional
+        What a picture draws of it, one of `flexel.derive.declare.words.LINES`: the line through the places in its rows,
+        or a mark at its only place.  Not drawn by default.
+    carrier : tuple of str, optional
+        Names of the outputs that are origin and axes (a row each) of a moving frame.  The places are then in the axes
+        of this frame, which carries them: a line that does not deform.  By default they are in global axes.
+    """
+
+    name: str
+    unit: str
+    values: Expr | Matrix
+    draws: str = ""
+    carrier: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        owner = f"output '{self.name}'"
+        if not self.unit:
+            raise ElementError(f"{owner} has no unit; give an SI unit, or '1'")
+        check_word(owner, "draws", self.draws, LINES)
+        if self.draws and self.unit != "m":
+            raise ElementError(f"{owner} is drawn, but is in {self.unit}; places are in m")
+        if self.carrier and not self.draws:
+            raise ElementError(
+                f"{owner} has a carrier, but is not drawn; say what it draws, or leave the carrier out"
+            )
+        values = self.values
+        if hasattr(values, "shape"):
+            object.__setattr__(self, "values", ImmutableDenseMatrix(values))
+
+    @property
+    def exprs(self) -> tuple[Expr, ...]:
+        """All components, row by row."""
+        return tuple(self.values) if hasattr(self.values, "shape") else (sympify(self.values),)
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Shape of the array: a column has one dimension, and so has a single number."""
+        rows, columns = self.values.shape if hasattr(self.values, "shape") else (1, 1)
+        return (rows,) if columns == 1 else (rows, columns)

@@ -1,0 +1,1 @@
+"""Analyses: functions of a system, which `flexel.System` has as methods."""

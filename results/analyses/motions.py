@@ -1,0 +1,228 @@
+"""Motions: one call for all integrators, and for motions that are fully prescribed."""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from flexel.base.arguments import flag
+from flexel.base.arrays import Array
+from flexel.base.errors import FlexelError
+from flexel.integration import methods
+from flexel.integration.driver import Run
+from flexel.integration.events import Event
+from flexel.integration.outcome import Integration, from_start
+from flexel.integration.simulation import audited_run, explained, planned
+from flexel.integration.stiffness import Watch
+from flexel.model.state import State
+from flexel.results.analyses.checkpoints import Checkpoint
+from flexel.results.interrupted import Interrupted
+from flexel.results.motion import Motion
+from flexel.system import CoreSystem
+
+log = logging.getLogger("flexel.simulate")
+
+
+def simulate(
+    system: CoreSystem,
+    duration: float,
+    *,
+    start: State | None = None,
+    times: Sequence[float] | Array | None = None,
+    samples: int = 201,
+    method: str = methods.AUTO,
+    rtol: float | None = None,
+    atol: float | Array | None = None,
+    step: float | None = None,
+    first_step: float | None = None,
+    max_step: float = np.inf,
+    spectral_radius: float | None = None,
+    newton: str | None = None,
+    max_order: int | None = None,
+    events: Sequence[Event] = (),
+    progress: bool | None = None,
+    rechoose: bool | None = None,
+    checkpoint: str | Path | None = None,
+) -> Motion:
+    """Simulate the motion; if every motion is prescribed, compute positions and driving forces.
+
+    Most methods integrate the degrees of freedom; they locate events and give states at any time (`Motion.at`).
+    The generalized-alpha method integrates all coordinates together with the constraint forces, at a cost per step
+    that grows linearly with the number of elements; it is for stiff and large models, and gives the energy balance.
+    A step is halved if it does not converge, and up to a few times where a contact begins.
+
+    Parameters
+    ----------
+    duration : float
+        Length of the motion [s].
+    start : State, optional
+        The initial state by default; without its accelerations if a degree of freedom has no inertia and the
+        method is implicit.
+    times : array_like, optional
+        Times [s] at which states are stored: these alone, so that the start is one of them where it is wanted.
+        `samples` equidistant ones from the start on by default.
+    samples : int
+        Number of stored states.
+    method : str
+        In minimal coordinates ("explicit" below): DOP853; Radau, implicit and of order 5 (Radau IIA), for stiff
+        motions that are smooth; RK45, LSODA or BDF of SciPy.  With all coordinates: generalized-alpha; sundials,
+        the backward differentiation formulas of SUNDIALS, for comparison (needs the optional package
+        scikit-sundae).  Or auto: this chooses DOP853, but Radau where both methods, tried for some steps from the
+        start, show that it takes less than half the evaluations (at least 300 radians of the fastest mode, no
+        contacts).  In stiff motions Radau may ignore degrees of freedom and rates that are smaller than its
+        tolerance times the largest ones, and have ``rtol=1e-6``, unless `rtol` is given; where laws call functions
+        of the user it does both, without trials.  A motion is stiff if the largest eigenvalue of the linearized
+        start times the duration exceeds 3e4 (900 000 divided
+        by the number of degrees of freedom where these are more than 30), and 100 times the radians that any
+        method must follow (those of modes whose amplitude at the start exceeds a twentieth of the motion or that
+        are unstable, of rotations, and knots of tables), and counts as stiff above 300 degrees of freedom, where
+        no eigenvalues are taken.  Generalized-alpha remains for stiff motions with contacts, if a degree of freedom
+        has no inertia, above 1000 degrees of freedom, and above 300 with kinematic coordinates or internal states.
+        ``motion.message`` reports which and why.
+    rtol : float, optional
+        Local error in one step: explicit, relative to each variable (Radau: to its largest value so far; DOP853: of
+        a degree of freedom, to the largest range of a coordinate in this motion so far if that is less), 1e-9 by
+        default; generalized-alpha, of the coordinates relative to the largest range of a coordinate in this motion
+        so far, in natural scales and at most 1, and of internal states relative to their ranges, 1e-6; sundials,
+        relative to each coordinate and rate, 1e-6.
+    atol : float or array_like, optional
+        Absolute local error in natural scales (the size of the model for lengths, one for the rest, the same in a
+        second for rates): explicit, 1e-11 by default (DOP853: less in small motions, down to rounding), or one for
+        each of (q, q_d', z) if these stay the same (rechoose=False); generalized-alpha, allowed of coordinates
+        whatever `rtol`, zero by default; for sundials, the value from `rtol` by default.
+    step : float, optional
+        For generalized-alpha: constant step [s] instead of step control by the tolerances, whatever `samples` and
+        `times` are; states between its multiples are found by a shorter step each.  A step is shorter only at the end,
+        before a knot, at an instant of a sampled controller, or where it is not found.
+    first_step, max_step : float
+        [s]; the first step of generalized-alpha is a thousandth of the duration by default.
+    spectral_radius : float, optional
+        For generalized-alpha, at infinite frequency: 0 (all high frequencies damped at once) to below 1; 1 (no
+        damping) is possible without constraints; 0.8 by default.
+    newton : str, optional
+        For generalized-alpha: full (default), a new tangent at every iteration; modified, the last one is kept
+        while the iteration converges.
+    max_order : int, optional
+        For sundials, 1 to 5, by default 2; higher orders are slow on structures with little damping.
+    events : sequence of Event
+        For explicit methods.
+    progress : bool, optional
+        Progress bar on stderr; by default where stderr is a terminal.
+    rechoose : bool, optional
+        For explicit methods: change the degrees of freedom where others are much better; yes by default.
+        `Motion.rechoices` lists the changes.
+    checkpoint : str or Path, optional
+        A file (.npz, .nc, .mat or .csv) for the motion so far, written about every 30 s, and at the end. If a run
+        is killed, the same call continues from the file, within the tolerances of the method; if the file holds
+        the whole motion, it is returned. `fx.load` reads the file at any time.
+
+    Returns
+    -------
+    Motion
+
+    Raises
+    ------
+    ModelError
+        An option that the method does not have; a load or a prescribed motion without a value; a prescribed motion
+        whose rates are not the derivatives of its values; a checkpoint of another simulation.
+    FlexelError
+        A checkpoint that cannot be written: before the first step, or later; ``error.motion`` then holds the
+        motion.
+    PositionError, DynamicsError
+        If the motion cannot be continued; ``error.motion`` holds the motion so far.
+    Interrupted
+        After Ctrl-C: a `KeyboardInterrupt` whose ``motion`` is the motion so far.
+
+    Warns
+    -----
+    StiffWarning
+        If an explicit method turns out to need many thousands of steps because the system is stiff.
+    DampingWarning
+        If an implicit method has taken out more than 1 % of the energy of the motion: the larger of its kinetic
+        energy and what was dissipated and supplied. ``motion.warnings`` and ``motion.message`` keep it.
+    AuditWarning
+        If the motion contradicts itself: its energy balance fails by more than its tolerance explains, a contact or
+        an event was passed, the rates of a prescribed motion are not the derivatives of its values, the energy
+        of a user's law contradicts its stress, a wheel pulls on the road, a rope is at its end, a position is nearly
+        singular. ``motion.verdict`` says what was found, also where that is nothing.
+    RangeWarning
+        If a quantity is outside the data of its law at a stored time, or a beam is bent or twisted by more than
+        15° within one element, by name.
+    """
+    if progress is not None:  # a checkpoint may hold the whole motion: no integrator checks it then
+        flag(progress, "simulate", "progress")
+    given: dict[str, Any] = {"rtol": rtol, "atol": atol, "step": step, "first_step": first_step}
+    given |= {
+        "max_step": max_step,
+        "spectral_radius": spectral_radius,
+        "newton": newton,
+        "max_order": max_order,
+    }
+    method, why, begin, grid, options = planned(
+        system,
+        duration,
+        start=start,
+        times=times,
+        samples=samples,
+        method=method,
+        events=events,
+        rechoose=rechoose,
+        **given,
+    )
+    keeper = None if checkpoint is None else Checkpoint(checkpoint, system, begin, grid, method, options)
+    before = None if keeper is None else keeper.before()
+    if before is not None:
+        if before.complete:
+            return Motion(system, before.found.since(float(grid[0])))
+        begin, options = before.found.states[-1], options.with_first(before.step)
+        log.info("continues at t = %g s from the checkpoint %s", begin.t, checkpoint)
+    if keeper is not None:
+        keeper.try_out(begin)
+    log.info("t = %g to %g s by %s", begin.t, grid[-1], why or method)
+    ahead = from_start(begin, grid[grid >= begin.t])
+    run = methods.run_of(system, method, begin, ahead, float(duration), options)
+    watch = Watch(system, method) if method in methods.WATCHED else None
+    try:
+        found = run.run(progress, _each(keeper, watch))
+    except FlexelError as error:
+        kept = explained(_whole(run.kept(str(error)), keeper), why)
+        error.motion = Motion(system, kept.since(grid[0]))
+        raise
+    except KeyboardInterrupt:
+        kept = explained(_whole(run.interrupted(), keeper), why)
+        if keeper is not None:
+            keeper.end(kept, run.step)
+        raise Interrupted(kept.message, Motion(system, kept.since(grid[0]))) from None
+    log.info("t = %g s: %s; %s", run.t, found.message, found.statistics)
+    found = audited_run(system, run, found, grid[grid >= begin.t])
+    found = explained(_whole(found, keeper), why, watch.found if watch else "")
+    motion = Motion(system, found.since(float(grid[0])))
+    if keeper is not None:
+        try:
+            keeper.end(found, run.step)
+        except FlexelError as error:
+            error.motion = motion
+            raise
+    return motion
+
+
+def _whole(found: Integration, keeper: Checkpoint | None) -> Integration:
+    """Join the motion with the part that an earlier process has computed."""
+    return found if keeper is None else keeper.whole(found)
+
+
+def _each(*calls: Callable[[Run], None] | None) -> Callable[[Run], None] | None:
+    """Combine all given calls in one call after each step."""
+    some = [call for call in calls if call is not None]
+    if len(some) < 2:
+        return some[0] if some else None
+
+    def each(run: Run) -> None:
+        for call in some:
+            call(run)
+
+    return each

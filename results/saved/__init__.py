@@ -1,0 +1,1 @@
+"""Results in files and tables, and states restored from them."""

@@ -1,1 +1,0 @@
-"""Analyses of a system: families of methods on top of the core."""

@@ -1,1 +1,0 @@
-"""The commands of `flexel`, one per module; their table is in `flexel.commands.main`."""

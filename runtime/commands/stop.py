@@ -1,3 +1,0 @@
-"""How commands end after Ctrl-C."""
-
-INTERRUPTED = 130  # exit status of a program that was interrupted: 128 and the number of the signal

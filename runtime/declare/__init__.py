@@ -1,1 +1,0 @@
-"""Declarations by family: the methods of `Model`."""

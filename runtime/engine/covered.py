@@ -1,0 +1,130 @@
+"""What a motion has covered so far, the scale of its tolerances; see covered.h."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from flexel.base.arrays import Array
+from flexel.engine.structs import Struct
+from flexel.engine.workspace import Workspace
+from flexel.generated._kernels import ffi, lib
+from flexel.model.structure import Structure
+
+FULL = 50  # steps that get the full tolerances
+LEAST = 1 / 32  # of the tolerances that every step gets: less meets the rounding errors of users' functions
+FINEST = 1e-12  # relative tolerance of a step that is not reduced
+
+
+def state_groups(structure: Structure) -> NDArray[np.int32]:
+    """Return the numbers (nz,) of groups of internal states: states of the same law share one."""
+    kinds = [(law.spec.name, i) for law in structure.laws for i in range(len(law.states))]
+    numbers = {kind: i for i, kind in enumerate(dict.fromkeys(kinds))}
+    return np.array([numbers[kind] for kind in kinds], dtype=np.int32)
+
+
+def number_of(group: NDArray[np.int32]) -> int:
+    """Return how many groups there are."""
+    return int(group.max(initial=-1)) + 1
+
+
+def ranges(least: Array, most: Array, y: Array) -> Array:
+    """Return the ranges of values between their least and most so far and y, all (ny,)."""
+    return np.asarray(np.maximum(most, y) - np.minimum(least, y))
+
+
+class Covered(Struct):
+    """The sizes of one motion.
+
+    Parameters
+    ----------
+    structure : Structure
+    weight : ndarray (nf,)
+        One over natural scales of the free coordinates.
+    rtol : float
+        Relative tolerance of a step.
+    atol : float
+        Absolute tolerance of a motion of the machine's size, in natural scales.
+    resolution : float
+        Rounding errors of coordinates, relative to them.
+    relative : bool
+        Whether the tolerances are relative to the motion.
+    full : float, optional
+        Steps that get the full tolerances; by default `FULL`.
+    """
+
+    def __init__(
+        self,
+        structure: Structure,
+        weight: Array,
+        rtol: float,
+        atol: float,
+        resolution: float,
+        relative: bool,
+        full: float | None = None,
+    ) -> None:
+        super().__init__(ffi.new("flexel_covered *"))
+        c, nf = self.struct, structure.nf
+        c.relative, c.atol, c.resolution = relative, atol, resolution / atol
+        c.full = FULL if full is None else full
+        c.least = min(max(FINEST / rtol, resolution / atol, LEAST), 1.0)
+        group = state_groups(structure)
+        c.group, c.groups = self.integers(group), number_of(group)
+        self._weight = np.ascontiguousarray(weight)
+        self.arrays = {name: self.new(name, nf) for name in ("low", "high", "quick")}
+        self.arrays |= {name: self.new(name, lib.FLEXEL_SIZES) for name in ("sizes", "sizes_new")}
+        self.arrays |= {name: self.new(name, c.groups) for name in ("states", "states_new")}
+        self._begun = False
+
+    def take(self, work: Workspace, x: Array, v: Array, z: Array) -> None:
+        """Take an instant of the motion into it: coordinates, their rates, and internal states."""
+        if not self._begun:
+            for name in ("low", "high"):
+                self.arrays[name][:] = x[: self._weight.size]
+            self._begun = True
+        arrays = [np.ascontiguousarray(a) for a in (self._weight, x, v, z)]
+        vectors = [ffi.from_buffer("double[]", a) for a in arrays]
+        lib.flexel_covered_look(work.struct, self.struct, *vectors)
+        lib.flexel_covered_begin(work.struct, self.struct, *vectors[1:3])
+
+    def begin(self, y: Array) -> None:
+        """Take these values of y (ny,) as the first ones, in the present degrees of freedom."""
+        if self.struct.ny != y.size:
+            self.struct.ny = y.size
+            self.arrays |= {name: self.new(name, y.size) for name in ("least_y", "most_y")}
+        self.arrays["least_y"][:] = self.arrays["most_y"][:] = y
+
+    def ranges(self, y: Array) -> Array:
+        """Return how far y (ny,) has moved since the last restart, these values included."""
+        return ranges(self.arrays["least_y"], self.arrays["most_y"], y)
+
+    def skip(self, steps: float) -> None:
+        """Give the next steps the tolerances that they would have after so many."""
+        self.arrays["sizes"][lib.FLEXEL_TAKEN] = steps
+
+    @property
+    def finest(self) -> float:
+        """The rounding errors of the coordinates, relative to their largest range so far; zero if nothing has moved."""
+        c, covered = self.struct, float(self.arrays["sizes"][lib.FLEXEL_RANGE])
+        return c.resolution * c.atol * max(1.0, self.farthest) / covered if covered else 0.0
+
+    def finest_of_step(self, span: float, steps: int) -> float:
+        """Return the same relative to what the fastest one moves in a step, for so many steps in a time [s]."""
+        c, moved = self.struct, float(self.arrays["sizes"][lib.FLEXEL_FASTEST]) * span
+        return c.resolution * c.atol * max(1.0, self.farthest) * steps / moved if moved else 0.0
+
+    @property
+    def farthest(self) -> float:
+        """The largest coordinate so far, in natural scales."""
+        return float(self.arrays["sizes"][lib.FLEXEL_FARTHEST])
+
+    @property
+    def part(self) -> float:
+        """The part of the tolerances that the next step gets."""
+        return float(lib.flexel_part_of_step(self.struct, self.arrays["sizes"][lib.FLEXEL_TAKEN]))
+
+    def accepted_error(self, accept: float) -> float:
+        """Return the error of a position below which J is kept in the next step."""
+        sizes = self.arrays["sizes"]
+        of_motion = sizes[lib.FLEXEL_RANGE], sizes[lib.FLEXEL_TAKEN]
+        return float(lib.flexel_accepted_error(self.struct, accept, *of_motion))

@@ -1,0 +1,217 @@
+"""Motions by DOP853 in SIMD lanes: up to eight variants of a system side by side, each with its own steps.
+
+A lane does what `flexel.integration.dop853` does, to the same digits.  A step that needs special treatment is repeated
+outside the lanes; then the motion returns to its lane, or stays outside if it can no longer be computed in one.
+"""
+
+from __future__ import annotations
+
+from typing import TypeGuard
+
+import numpy as np
+
+from flexel.engine.lane_arrays import (
+    IDLE,
+    PASSED,
+    RUNNING,
+    STOPPED,
+    LaneCoordinateWork,
+    LaneCovered,
+    LaneRun,
+    LaneSteps,
+)
+from flexel.engine.lane_workspace import LaneWorkspace
+from flexel.generated._kernels import lib
+from flexel.integration import dop853 as rules
+from flexel.integration.branch import WORSE
+from flexel.integration.dense import Interpolant
+from flexel.integration.dop853_steps import TABLEAU, accepted_error
+from flexel.integration.driver import Run
+from flexel.integration.minimal import SHORTEST, SINGULAR
+from flexel.model.snapshot import Snapshot
+
+STAGES = ("K", "V", "W", "turning", "w_rates")  # rates at the stages; the first row belongs to the start
+
+
+def suits(run: Run) -> TypeGuard[rules.Dop853]:
+    """Whether a motion that has begun can go on in a lane."""
+    if not isinstance(run, rules.Dop853) or run.t >= run.times[-1]:
+        return False
+    kinematics = run.kinematics
+    roles, n = kinematics.roles, kinematics.structure.nf
+    return not (
+        run.events
+        or run.sampling.all
+        or roles.motions
+        or not kinematics.loads.constant
+        or kinematics.lists.saddle
+        or roles.nq - roles.nd > lib.FLEXEL_MOST_KINEMATIC
+        or not run.steps.first_order
+        or run.choices.changes
+        or not run.usual
+        or run.touching.levels.any()  # lanes look at signs alone
+        or run.now.v[n:].any()
+    )
+
+
+class LaneMotions:
+    """Eight lanes for motions over the same times with the same degrees of freedom and tolerances.
+
+    Parameters
+    ----------
+    run : Dop853
+        One of the motions.
+    """
+
+    def __init__(self, run: rules.Dop853) -> None:
+        kinematics, given, s = run.kinematics, run.tolerances, run.steps
+        self._runs: dict[int, rules.Dop853] = {}
+        work = LaneWorkspace(kinematics.evaluation.work)
+        choice = LaneCoordinateWork(kinematics.lists, s.choice)
+        choice.struct.accept = accepted_error(kinematics, given.rtol)
+        self._covered = LaneCovered(run.covered)
+        weight = kinematics.lists.step_weight
+        steps = LaneSteps(work, s.y.size, run.natural_atol(), weight, TABLEAU, self._covered, s.rotations)
+        steps.struct.rtol = given.rtol
+        span = float(run.times[-1] - run.times[0])
+        self._lanes = LaneRun(
+            work,
+            choice,
+            steps,
+            {
+                "end": float(run.times[-1]),
+                "longest": given.max_step,
+                "shortest": SHORTEST * span,
+                "safety": rules.SAFETY,
+                "smallest": rules.SMALLEST,
+                "largest": rules.LARGEST,
+                "exponent": rules.EXPONENT,
+                "predicted": rules.PREDICTED,
+                "turns": rules.TURNS,
+                "farthest": rules.FARTHEST,
+                "floor": rules.FLOOR,
+                "exact": rules.TRUE,
+                "unamplified": rules.UNAMPLIFIED,
+                "atol": run.largest_atol,
+                "dip": float(lib.FLEXEL_DIP),
+            },
+            run.touching.rows.tolist(),
+        )
+        self._roles = kinematics.roles
+
+    def enter(self, lane: int, run: rules.Dop853) -> None:
+        """Put a motion that has begun into a lane."""
+        l, s, choice = self._lanes, run.steps, run.steps.choice
+        l.work.load(lane, choice.work)
+        steps, now = l.steps, run.now
+        for wide, own in (
+            (steps.y, s.y),
+            (steps.x, s.x),
+            (steps.e, s.e),
+            (steps.w, s.w),
+            (l.v, now.v),
+            (l.e, now.e),
+            (l.w, now.ed),
+        ):
+            wide[:, lane] = own
+        for name in STAGES:
+            getattr(steps, name)[0, :, lane] = getattr(s, name)[0]
+        for name, wide in self._covered.arrays.items():
+            wide[..., lane] = run.covered.arrays[name]
+        l.choice.loads[:, lane] = run.kinematics.loads.values(run.t)
+        l.t[lane], l.h[lane], l.until[lane], l.amplification[lane] = (
+            run.t,
+            run.next_step,
+            run.until,
+            run.amplification,
+        )
+        l.allowed[lane] = WORSE * run.choices.share * max(1.0, min(run.choices.best, SINGULAR))
+        l.sign[lane] = s.struct.sign
+        l.size[lane], l.fall[lane] = run.dips.at(run.kinematics, run.t)
+        l.taken[lane] = l.refused[lane] = l.tries[lane] = 0
+        l.doing[lane] = RUNNING
+        l.take_account(lane, run.account)
+        self._runs[lane] = run
+
+    def run(self) -> list[int]:
+        """Take steps until lanes need attention; returns these lanes."""
+        self._lanes.run()
+        doing = self._lanes.doing
+        return np.flatnonzero((doing == PASSED) | (doing == STOPPED)).tolist()
+
+    def look(self, lane: int) -> bool:
+        """Store the states at the times that a motion has passed, or take its step outside; whether it has left.
+
+        Raises
+        ------
+        FlexelError
+            If the motion cannot be continued.
+        """
+        l, run = self._lanes, self._runs[lane]
+        stopped = l.doing[lane] == STOPPED
+        if not stopped:
+            self._pass(lane, run)
+            if run.t < run.times[-1]:
+                return False
+        self._leave(lane, run)
+        if stopped and run.advance() is None and self.takes(run):
+            self.enter(lane, run)
+            return False
+        return True
+
+    def drop(self, lane: int) -> None:
+        """Clear a lane."""
+        self._lanes.doing[lane] = IDLE
+        self._lanes.take_account(lane, None)
+
+    def takes(self, run: Run) -> TypeGuard[rules.Dop853]:
+        """Whether a motion that has begun can go on in these lanes."""
+        return suits(run) and run.kinematics.roles is self._roles
+
+    def _pass(self, lane: int, run: rules.Dop853) -> None:
+        """Store the states at the times within a step."""
+        l, steps = self._lanes, self._lanes.steps
+        first, x, e = self._start(lane), steps.x_new[:, lane].copy(), l.work.e[:, lane].copy()
+        ed = l.work.w[: e.size, lane].copy()
+        last = Snapshot(float(l.to[lane]), x, l.work.v[:, lane].copy(), e, ed)
+        y0, y1, K = (array[..., lane].copy() for array in (steps.y, steps.y_new, steps.K))
+        r = run.steps.rotations
+        turning = (steps.w, steps.w_new, steps.w_rates, steps.V)
+        w0, w1, rates, V = (array[..., lane].copy() for array in turning)
+        turns = w0, w1, np.hstack([rates, V[:, r.others]])
+        scales = steps.scale[:, lane], steps.w_scale[:, lane]
+        allowed = run.allowed_inside(
+            *scales, y0, y1, self._covered.ranges(lane, y1), self._covered.part(lane)
+        )
+        run.pass_step(first, last, Interpolant(run.kinematics, first, last, y0, y1, K, r, *turns, allowed))
+
+    def _start(self, lane: int) -> Snapshot:
+        """Return the start of the step of a lane."""
+        l = self._lanes
+        x, v, e, ed = (values[:, lane].copy() for values in (l.steps.x, l.v, l.e, l.w))
+        return Snapshot(float(l.t[lane]), x, v, e, ed)
+
+    def _leave(self, lane: int, run: rules.Dop853) -> None:
+        """Hand a motion back, at its end or at the start of a step that it takes outside the lanes."""
+        l, steps = self._lanes, self._lanes.steps
+        ended = bool(l.doing[lane] == PASSED)
+        taken, refused = int(l.taken[lane]) + ended, int(l.refused[lane]) + ended * int(l.tries[lane])
+        if not ended:
+            pairs = [
+                (steps.y, run.steps.y),
+                (steps.x, run.steps.x),
+                (steps.e, run.steps.e),
+                (steps.w, run.steps.w),
+            ]
+            pairs += [(getattr(steps, name)[0], getattr(run.steps, name)[0]) for name in STAGES]
+            pairs += [(wide, run.covered.arrays[name]) for name, wide in self._covered.arrays.items()]
+            for wide, own in pairs:
+                own[:] = wide[..., lane]
+            run.go_on_alone(self._start(lane), float(l.first[lane]), float(l.amplification[lane]))
+            sizes = float(l.size[lane]), float(l.fall[lane])
+            run.dips.take(run.kinematics, run.t, int(run.steps.struct.sign), *sizes)
+        else:
+            run.account.accept(float(l.to[lane] - l.t[lane]))
+        run.count(taken, refused)
+        self.drop(lane)
+        del self._runs[lane]

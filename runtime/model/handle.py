@@ -1,0 +1,11 @@
+"""What a declaration returns to the user: an object with a name, by which parts keep it."""
+
+from __future__ import annotations
+
+from flexel.base.copies import Constant
+
+
+class Handle(Constant):
+    """Base of nodes, rigid bodies, surfaces and ropes; ``name`` finds them in their model."""
+
+    name: str

@@ -1,1 +1,0 @@
-"""Results in files and tables, and states that are restored from them."""

@@ -1,1 +1,0 @@
-"""Cables and ropes: their initial configuration, contact with surfaces, and results."""

@@ -1,0 +1,244 @@
+"""Searches for equilibria, and follows load paths past limit points.
+
+A path is followed by arc length: either the residual at the start is removed (loads applied incrementally), or
+time is the load parameter.
+"""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from flexel.base.arguments import names, number
+from flexel.base.arrays import Array, Index
+from flexel.base.errors import DynamicsError, FlexelError, ModelError, PositionError
+from flexel.base.shown import quoted
+from flexel.engine.finite import TangentError
+from flexel.mechanics.arclength import Arcs, CurvePoint, corrected, follow, point_at
+from flexel.model.state import State
+from flexel.statics.equilibrium import MAX_STEP, STALLED_TOLERANCE, TOLERANCE, Equations, Rest
+from flexel.statics.growth import growing_motions
+from flexel.statics.search import Search
+from flexel.statics.settling import descend, settle, unstable_motions
+from flexel.system import CoreSystem
+
+log = logging.getLogger("flexel.statics")
+ARCS = Arcs(first=0.1, largest=0.5, smallest=1e-7, steps=2000)
+
+
+@dataclass(frozen=True)
+class FoundEquilibrium:
+    """An equilibrium, and the motions in which it is unstable, with advice; empty if none is known."""
+
+    state: State
+    unstable: str
+
+
+def equilibrium(
+    system: CoreSystem, t: float | None, start: State, hold: Sequence[str] = (), *, stable: bool = False
+) -> FoundEquilibrium:
+    """Find the state of rest in which all forces balance; see `System.equilibrium`."""
+    held = _held(system, hold)
+    problem = Rest(system, start, held)
+    t = start.t if t is None else number(t, "equilibrium", "time t")
+    q, mu = _balanced(problem, t, start)
+    count, state = unstable_motions(problem, q), problem.state(q.balance)
+    unstable = _unstable(system, state, count, held=held.size > 0)
+    log.info("equilibrium at t = %g s%s", t, f", unstable {unstable}" if unstable else "")
+    if not (unstable and stable):
+        return FoundEquilibrium(state, unstable)
+    settled = settle(problem, t, q, mu) if count else None
+    if settled is None:
+        raise PositionError(
+            f"no stable equilibrium found{problem.when(t)}: the one that was found is unstable, and a descent from it "
+            "reaches none; start nearer to one, or support what moves"
+        )
+    return FoundEquilibrium(problem.state(settled[0].balance), "")
+
+
+def _unstable(system: CoreSystem, state: State, count: int | None, *, held: bool) -> str:
+    """Describe an instability, with advice, from the count of `unstable_motions`; empty if there is none."""
+    if count:
+        return f"in {count} independent motion(s), see system.vibrations(state); for a stable one give stable=True"
+    growing = growing_motions(system, state) if count is None and not held else 0
+    if growing:
+        return f"in motion: {growing} eigenvalue(s) of system.linearize(state) have positive real parts"
+    return ""
+
+
+def _balanced(problem: Rest, t: float, start: State) -> tuple[Equations, Array]:
+    """Find the equilibrium near a start, and its multipliers.
+
+    By Newton's method; if that fails, by removing the unbalance gradually; if no stiffness resists, by descent.
+    """
+    mu = problem.holding_forces(t, start)
+    try:
+        found = Search(problem, t).found(start.x, mu, start.e)
+        if found is not None:
+            return found
+        log.info("t = %g s: Newton's method does not converge; the unbalance is removed gradually", t)
+        states, message = _follow(problem, start, mu, t, t)
+        if not message:
+            return _again(problem, states[-1])
+        failure: FlexelError = PositionError(f"no equilibrium found{problem.when(t)}: {message}")
+    except DynamicsError as error:  # the stiffness is singular
+        failure = error
+    log.info("t = %g s: descends to where forces balance, because %s", t, failure)
+    found = descend(problem, t, start.x, mu, start.e)
+    if found is None:
+        raise failure
+    return found
+
+
+def _again(problem: Rest, state: State) -> tuple[Equations, Array]:
+    """Evaluate the equations at an equilibrium, and its multipliers."""
+    mu = problem.multipliers(state)
+    return problem.equations(state.t, state.x, mu, state.e), mu
+
+
+def _held(system: CoreSystem, hold: Sequence[str]) -> Index:
+    """Return the quantities to be held, without duplicates."""
+    structure, roles, first = system.structure, system.roles, system.structure.m + system.structure.k
+    found = [structure.find(name, "equilibrium: hold") for name in names(hold, "equilibrium: hold")]
+    for name, i in zip(hold, found, strict=True):
+        if (
+            structure.m <= i < first
+            or i >= first + structure.nf
+            or i in roles.holonomic
+            or i in roles.kinematic
+        ):
+            raise ModelError(
+                f"equilibrium: '{name}' cannot be held: it is a slip, or fixed, rigid, prescribed or held; drop it"
+            )
+    return np.array(found, dtype=np.intp)
+
+
+def static_path(system: CoreSystem, t_end: float, start: State) -> tuple[list[State], str]:
+    """Follow equilibria from `start` to the time `t_end`, which is the load parameter; see `System.static_path`."""
+    problem = Rest(system, start)
+    end = number(t_end, "static_path", "t_end")
+    if end == start.t:
+        raise ModelError(f"static_path: t_end is the time of the start, {end:g} s; give another")
+    return _follow(problem, start, problem.multipliers(start), start.t, end)
+
+
+def _follow(problem: Rest, start: State, mu: Array, t0: float, t1: float) -> tuple[list[State], str]:
+    """Follow equilibria by arc length while the parameter p goes from 0 to 1.
+
+    At p the time is t0 + p (t1 - t0), and the fraction 1 - p of the start's residual remains.
+    Returns the states and, if the end was not reached, a message with the place and the reason.
+    """
+    curve = LoadPath(problem, start, mu, (t0, t1))
+    states = [problem.state(curve.first.rest.balance)]
+    last = 0.0
+
+    def keep(point: CurvePoint[Loaded]) -> None:
+        nonlocal last
+        last = float(point.y[-1])
+        states.append(problem.state(point.equations.rest.balance))
+
+    level = np.append(np.zeros(curve.start.size), 1.0)
+
+    def finish(guess: Array, known: CurvePoint[Loaded], arc: float) -> bool:
+        nf = problem.structure.nf
+        there = corrected(curve, np.append(guess[:-1], 1.0), level, known, arc)
+        if there is None:
+            return False
+        x = np.concatenate([there.y[:nf], start.x[nf:]])
+        e = there.equations.rest.balance.e
+        found = Search(problem, t1).found(x, there.y[nf:-1], e)  # with all digits
+        if found is not None:
+            states.append(problem.state(found[0].balance))
+        return found is not None
+
+    try:
+        first = point_at(curve, np.append(curve.start, 0.0), curve.first)
+        arc = follow(curve, first, (-np.inf, 1.0), ARCS, keep, finish)
+    except TangentError as error:
+        return states, f"the path stopped{problem.when(states[-1].t)} after {len(states)} equilibria: {error}"
+    message = "" if arc is None else _stopped(problem, states, last, arc, t0 != t1)
+    log.info(
+        "path to t = %g s: %d equilibria%s", states[-1].t, len(states), f"; {message}" if message else ""
+    )
+    return states, message
+
+
+@dataclass(frozen=True)
+class Loaded:
+    """The equations at a point of a load path."""
+
+    rest: Equations
+    residual: Array  # without the remaining part of the start's residual
+    rate: Array  # derivative by the parameter
+
+
+class LoadPath:
+    """Equilibria (x, mu) over the parameter p, see `_follow`."""
+
+    tolerance, stalled, further = TOLERANCE, STALLED_TOLERANCE, 1
+    retried: tuple[type[Exception], ...] = ()
+
+    def __init__(self, problem: Rest, start: State, mu: Array, times: tuple[float, float]) -> None:
+        self.problem, self.nf, self.times = problem, problem.structure.nf, times
+        self.held = start.x[self.nf :]
+        self.start = np.concatenate([start.x[: self.nf], mu])
+        rest = problem.equations(times[0], start.x, mu, start.e)
+        self.unbalance = rest.residual
+        self.first = self._loaded(rest, 0.0)
+        self._weights = np.concatenate([problem.x_scale**-2.0, np.zeros(mu.size), [1.0]])
+
+    def _loaded(self, rest: Equations, p: float) -> Loaded:
+        rate, span = self.unbalance.copy(), self.times[1] - self.times[0]
+        if span:
+            rate += span * self.problem.rate(rest)
+        return Loaded(rest, rest.residual - (1.0 - p) * self.unbalance, rate)
+
+    def equations(self, y: Array, last: Loaded) -> Loaded:
+        """Evaluate the equations at (x, mu, p); turns are counted from the last point."""
+        x, p, (t0, t1) = np.concatenate([y[: self.nf], self.held]), float(y[-1]), self.times
+        rest = self.problem.equations(t0 + p * (t1 - t0), x, y[self.nf : -1], last.rest.balance.e)
+        return self._loaded(rest, p)
+
+    def error(self, equations: Loaded) -> float:
+        """Return the size of the residual in natural scales."""
+        return self.problem.size(equations.rest, equations.residual)
+
+    def solve(self, equations: Loaded) -> Array:
+        """Return the solutions for the residual and for its derivative by the parameter."""
+        both = np.column_stack([equations.residual, equations.rate])
+        return np.asarray(equations.rest.matrix.solve(both))
+
+    def sign(self, equations: Loaded) -> int:
+        """Return the sign of the determinant of the tangent."""
+        return equations.rest.matrix.factors.sign
+
+    def weights(self, _: Loaded) -> Array:
+        """Return the weights of the coordinates in natural scales and of the parameter, but not of the multipliers."""
+        return self._weights
+
+    def allows(self, step: Array, arc: float) -> bool:
+        """Whether no coordinate changes too much."""
+        return self.problem.extent(step) <= MAX_STEP + arc
+
+
+def _stopped(problem: Rest, states: list[State], p: float, arc: float, loaded: bool) -> str:
+    """Explain why a path ended; `loaded` if time was its parameter, otherwise the unbalance was removed gradually."""
+    e = states[-1].values
+    rows = np.argsort(-np.abs(np.nan_to_num(e[: problem.structure.m])))[:3]
+    deformed = f"deformations {quoted([problem.structure.names[i] for i in rows])} are largest at the end"
+    if not loaded:
+        return f"the search ended with {100 * p:.4g} % of the unbalanced forces removed; {deformed}"
+    if arc >= ARCS.smallest:
+        why = (
+            f"{ARCS.steps} steps were not enough: ask for a smaller load, or start again from the last state"
+        )
+    else:
+        why = "a limit load may have been reached, otherwise use more elements where much is deformed"
+    top = max(states, key=lambda state: state.t)
+    return (
+        f"the path stopped at {100 * p:.4g} % of the load (t = {states[-1].t:g} s) after {len(states)} equilibria, arc "
+        f"{arc:.2g}; the largest t reached is {top.t:g} s; {deformed}: {why}"
+    )

@@ -1,0 +1,59 @@
+"""Random motions by default settings, against references: none is wrong without saying so.
+
+The seeds are fixed.  CI takes `JUDGED` motions, which the page shows; all are run by ``make test-all``.
+"""
+
+from functools import cache
+from typing import Any
+
+import pytest
+
+from campaign.defaults import PART, named, run, table
+from campaign.drive import SILENT, driven
+from campaign.families import FAMILIES
+from campaign.grammar_hard import HARD
+from campaign.grammar_rides import FIRST, PARTS, RIDES, SIZES
+from campaign.ride import Ride
+
+SEEDS = 10  # of `PART` motions each
+JUDGED = 60  # motions, drawn with the seed 0
+
+
+@cache
+def rides(seed: int) -> dict[str, Ride]:
+    """The rides of a seed by name."""
+    return named(PART, seed)
+
+
+def silent(found: dict[str, Any]) -> set[str]:
+    """Names of silent errors."""
+    return {entry["name"] for entry in found["silent"]}
+
+
+def test_every_family_and_every_trait_is_drawn() -> None:
+    assert list(RIDES) == [*FAMILIES, *HARD]
+    some = [*rides(0).values(), *rides(1).values()]
+    assert len(some) == 2 * PART
+    drawn = {trait for ride in some for trait in ride.traits}
+    names = {trait.__name__.replace("_", " ") for trait in (*FIRST, *SIZES, *PARTS)}
+    assert names - drawn <= {"strange units"}, names - drawn  # these are named by the units
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("seed", range(SEEDS), ids=lambda seed: f"seed{seed}")
+def test_no_error_is_silent(seed: int) -> None:
+    """All motions of all seeds; CI takes the test below."""
+    found = run(PART, seed)
+    print(table(found))
+    assert found["models"] == PART
+    assert not silent(found), table(found)
+
+
+@pytest.mark.campaign
+@pytest.mark.parametrize("part", [0], ids=lambda part: f"part{part}")
+def test_no_error_is_silent_in_the_sample(part: int) -> None:
+    some = named(JUDGED, part)  # of all families
+    found = {name: driven(ride) for name, ride in some.items()}
+    wrong = {name: str(verdict.why) for name, verdict in found.items() if verdict.outcome == SILENT}
+    assert len(some) == JUDGED
+    assert not wrong
