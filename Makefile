@@ -6,9 +6,11 @@ VENV ?= .venv
 VENV_LINT ?= .venv-lint
 VENV_BENCH ?= .venv-bench
 VENV_OLDEST ?= .venv-oldest
+VENV_NEWEST ?= .venv-newest
+VENV_LOCK ?= .venv-lock
 OUT ?= out
 BENCH ?=
-MARKS ?= not campaign and not ci
+MARKS ?= not campaign and not long
 PYTEST ?= -n 2 --dist loadfile --no-loadscope-reorder --durations=10
 QUOTED ?= bicycle warping cardan cylinder slider-crank flexures rope contact hoist vehicle motorcycle tolerances stability-map
 TYPED := build/typed
@@ -33,12 +35,16 @@ OLDEST_TREE := build/oldest
 OLDEST ?= -n 2 --durations=5 -m "not slow and not campaign" tests/base tests/engine tests/results tests/statics tests/linear \
   tests/mechanics tests/view tests/sweeps tests/integration tests/cli/test_cli_run.py
 
-PIP := $(VENV)/bin/pip install --quiet --disable-pip-version-check
-SETUP := pyproject.toml setup.py
+# The versions of all packages that are installed here; `make upgrade` writes them anew. LOCK= installs the newest.
+LOCK ?= tools/lock.txt
+INSTALL := install --quiet --disable-pip-version-check $(if $(LOCK),--constraint $(LOCK))
+PIP := $(VENV)/bin/pip $(INSTALL)
+SETUP := pyproject.toml setup.py $(LOCK)
 SOURCES := $(SETUP) $(wildcard generated/*.[ch] runtime/engine/*.[ch] generated/build.py)
 WARNINGS := -std=c11 -O2 -fopenmp-simd -DFLEXEL_NO_CLONES -Wall -Wextra -Wpedantic -Werror -Igenerated -Iruntime/engine
 
-.PHONY: demo test test-all test-oldest sanitize bench report docs lint types check strict wheel venv clean prerequisites
+.PHONY: demo test test-all test-oldest test-newest upgrade landed sanitize bench report pages docs lint types check strict \
+  wheel venv clean prerequisites
 
 demo: $(VENV)/installed-plot
 	$(VENV)/bin/flexel derive $(DEMONSTRATED)
@@ -47,15 +53,31 @@ demo: $(VENV)/installed-plot
 	$(VENV)/bin/flexel reproduce bicycle --out $(OUT)/bicycle
 	@echo; echo "The pictures are in $(abspath $(OUT))/bicycle:"; ls $(OUT)/bicycle
 
-# The tests of the viewer drive Chromium and Firefox (Debian: chromium; firefox-esr and xvfb). Where they are missing, these
-# tests are skipped, and the last lines say so. What is marked `ci` takes as much time as all the rest; .ci/run has
-# MARKS="not campaign".
+# The tests of the viewer drive Chromium (Debian: chromium). Where it is missing, these tests are skipped, and the last lines
+# say so. What is marked `long` takes as much time as all the rest, what is marked `campaign` more.
 test: $(VENV)/installed-test
 	$(VENV)/bin/python -m pytest -m "$(MARKS)" $(PYTEST)
 
-# With the long campaigns; PYTEST="-n 2 -m campaign -k adding" runs a sample of them alone.
-test-all: $(VENV)/installed-test
-	$(VENV)/bin/python -m pytest $(PYTEST)
+# Everything that can be tested on this machine; STEPS="strict oldest" runs these alone. Takes hours.
+test-all:
+	.ci/all
+
+# With the newest versions of all packages, of which tools/lock.txt knows nothing.
+test-newest:
+	$(MAKE) test LOCK= VENV=$(VENV_NEWEST)
+
+# The newest versions of all packages for Python 3.11 to 3.14 become those of tools/lock.txt, and the tests run with them.
+upgrade: | prerequisites
+	$(PYTHON) -m venv $(VENV_LOCK)
+	$(VENV_LOCK)/bin/pip install --quiet --disable-pip-version-check --upgrade uv
+	$(VENV_LOCK)/bin/uv pip compile pyproject.toml --quiet --universal --python-version 3.11 --extra all --extra peers \
+	  --upgrade --no-annotate --custom-compile-command "make upgrade" --output-file tools/lock.txt
+	$(MAKE) test
+
+# Whether the tree of the last commit has passed .ci/run on this machine.
+landed:
+	@grep -qx "$$(git rev-parse 'HEAD^{tree}')" "$${XDG_CACHE_HOME:-$$HOME/.cache}/flexel/ci-passed" \
+	  && echo "HEAD has passed .ci/run" || { echo "HEAD has not passed .ci/run here" >&2; exit 1; }
 
 # With the oldest versions of all packages that pyproject.toml admits; OLDEST="-n 2 -m 'not campaign'" runs all tests.
 test-oldest: $(VENV_OLDEST)/needed
@@ -97,9 +119,13 @@ bench: $(VENV_BENCH)/installed-peers
 	$(VENV_BENCH)/bin/flexel bench $(BENCH) --json $(OUT)/bench.json --plot $(OUT)/bench.png
 
 # Pages of docs/ and those that docs/pages.py writes about elements, laws and public names; a warning is an error.
-# The numbers that pages quote are computed again, of all systems but those that take a minute, which the tests compute.
+# `make docs` also computes the numbers that pages quote again, of all systems but those that take a minute, which the tests
+# compute.
 docs: $(VENV)/installed-docs $(VENV)/installed-plot
 	$(VENV)/bin/python tools/quoted.py --check --run $(QUOTED)
+	@$(MAKE) --no-print-directory pages
+
+pages: $(VENV)/installed-docs
 	$(VENV)/bin/python -m sphinx -W --keep-going -q docs docs/_build
 	@echo "The documentation is $(abspath docs)/_build/index.html"
 
@@ -126,15 +152,15 @@ strict:
 	printf '%s\n' generated/*.c | xargs -P 2 -n 1 $(CC) $(WARNINGS) -Dreal='double complex' -fsyntax-only
 
 # For every processor, where a build from source is for this one only.
-wheel: $(VENV)/bin/python
+wheel: $(VENV)/builders
 	rm -rf build dist
-	FLEXEL_PORTABLE=1 $(VENV)/bin/pip wheel --quiet --no-deps --wheel-dir dist .
+	FLEXEL_PORTABLE=1 $(VENV)/bin/pip wheel --quiet --no-deps --no-build-isolation --wheel-dir dist .
 	@ls dist
 
 venv: $(VENV)/installed-test
 
 clean:
-	rm -rf build dist docs/_build docs/_generated $(OUT) $(VENV) $(VENV_LINT) $(VENV_BENCH) $(VENV_OLDEST) *.egg-info .pytest_cache .mypy_cache .ruff_cache generated/_kernels*.so
+	rm -rf build dist docs/_build docs/_generated $(OUT) $(VENV) $(VENV_LINT) $(VENV_BENCH) $(VENV_OLDEST) $(VENV_NEWEST) $(VENV_LOCK) *.egg-info .pytest_cache .mypy_cache .ruff_cache generated/_kernels*.so
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
 
 prerequisites:
@@ -150,9 +176,15 @@ prerequisites:
 $(VENV)/bin/python $(VENV_LINT)/bin/python $(VENV_BENCH)/bin/python $(VENV_OLDEST)/bin/python: %/bin/python: | prerequisites
 	$(PYTHON) -m venv --clear $*
 
+# What builds flexel, of the locked versions too: pip's isolated environments for building know no constraints.
+$(VENV)/builders $(VENV_BENCH)/builders: %/builders: $(LOCK) | %/bin/python
+	$*/bin/pip $(INSTALL) $$($(PYTHON) -c 'import tomllib; \
+	  print(*tomllib.load(open("pyproject.toml", "rb"))["build-system"]["requires"])')
+	@touch $@
+
 # An editable install: compiles for this processor what no environment has compiled before (derive/object_files.py).
-$(VENV)/installed: $(SOURCES) | $(VENV)/bin/python
-	$(PIP) --editable .
+$(VENV)/installed: $(SOURCES) $(VENV)/builders
+	$(PIP) --no-build-isolation --editable .
 	@touch $@
 
 # What an extra asks for, beside the installed package: nothing is compiled again.
@@ -162,11 +194,11 @@ $(VENV)/installed-%: $(VENV)/installed
 
 # An environment of its own: the other programs bring much, and may want other versions of it. One that cannot be
 # installed is named, and is left out of the table. The list is that of the extra "peers".
-$(VENV_BENCH)/installed-peers: $(SOURCES) | $(VENV_BENCH)/bin/python
-	$(VENV_BENCH)/bin/pip install --quiet --disable-pip-version-check --editable '.[plot]'
+$(VENV_BENCH)/installed-peers: $(SOURCES) $(VENV_BENCH)/builders
+	$(VENV_BENCH)/bin/pip $(INSTALL) --no-build-isolation --editable '.[plot]'
 	@$(PYTHON) -c 'import tomllib; t = tomllib.load(open("pyproject.toml", "rb")); \
 	  print(*t["project"]["optional-dependencies"]["peers"], sep="\n")' | while read -r peer; do \
-	  $(VENV_BENCH)/bin/pip install --quiet --disable-pip-version-check "$$peer" \
+	  $(VENV_BENCH)/bin/pip $(INSTALL) "$$peer" \
 	    || echo "bench: $$peer cannot be installed here; its column will say so" >&2; done
 	@touch $@
 
@@ -176,9 +208,9 @@ $(VENV_OLDEST)/needed: pyproject.toml .ci/oldest.py | $(VENV_OLDEST)/bin/python
 	@touch $@
 
 # The tools and what they must see, without flexel itself: nothing to compile.
-$(VENV_LINT)/installed: pyproject.toml | $(VENV_LINT)/bin/python
+$(VENV_LINT)/installed: pyproject.toml $(LOCK) | $(VENV_LINT)/bin/python
 	$(PYTHON) -c 'import tomllib; t = tomllib.load(open("pyproject.toml", "rb")); p = t["project"]; \
 	  extras = p["optional-dependencies"]; needs = p["dependencies"] + extras["plot"] + extras["xarray"] + extras["lint"]; \
 	  print(*needs, *t["build-system"]["requires"], sep="\n")' > $(VENV_LINT)/needs.txt
-	$(VENV_LINT)/bin/pip install --quiet --disable-pip-version-check --requirement $(VENV_LINT)/needs.txt
+	$(VENV_LINT)/bin/pip $(INSTALL) --requirement $(VENV_LINT)/needs.txt
 	@touch $@

@@ -1,8 +1,11 @@
 #!/usr/bin/env bash
-# Installs the browsers that the tests drive, where it is root and has apt-get; prints one line for each that cannot be
-# driven here, and never fails: without them their tests are skipped. The network may be closed.
+# browsers.sh [SECONDS [PACKAGE...]]: installs the browsers that the tests drive, where it is root and has apt-get; prints
+# one line for each that cannot be driven here, and never fails: without them their tests are skipped. The network may be
+# closed.
 set -uo pipefail
 limit="${1:-420}" # seconds for all
+wanted=("${@:2}")
+[ ${#wanted[@]} -gt 0 ] || wanted=(chromium firefox-esr xvfb)
 
 have() {
   case "$1" in
@@ -28,7 +31,7 @@ apt() {
 }
 
 updated=""
-for package in chromium firefox-esr xvfb; do
+for package in "${wanted[@]}"; do
   if have "$package"; then
     continue
   elif [ "$(id -u)" != 0 ]; then

@@ -9,6 +9,7 @@ from __future__ import annotations
 import importlib.util
 import io
 import json
+import os
 import shutil
 import subprocess
 import time
@@ -21,7 +22,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-NAMES = ("chromium", "firefox")
+NAMES = tuple(os.environ.get("FLEXEL_BROWSERS", "chromium").split())  # `make test-all` has firefox as well
 PROGRAMS = {
     "chromium": shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome"),
     "firefox": shutil.which("firefox-esr") or shutil.which("firefox"),

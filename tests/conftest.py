@@ -77,7 +77,7 @@ def checkout() -> Path:
 def browser(
     request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
 ) -> Iterator[browsers.Browser]:
-    """Each browser in turn, started once for all tests of a file; what cannot be started here is skipped."""
+    """Each browser of $FLEXEL_BROWSERS, started once for all tests of a file; what cannot be started is skipped."""
     reason = browsers.missing(request.param)
     if reason:
         pytest.skip(reason)

@@ -39,7 +39,7 @@ def test_arguments_of_valid_calls_are_those_of_the_signature(name: str) -> None:
     assert set(valid.arguments) <= set(inspect.signature(valid.function).parameters)
 
 
-@pytest.mark.ci
+@pytest.mark.long
 def test_a_sample_of_bad_calls_is_refused_by_name(tmp_path: Path) -> None:
     judge(random.Random(15).sample(cases(), SAMPLE), tmp_path)
 

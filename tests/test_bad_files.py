@@ -21,7 +21,7 @@ def judge(chosen: Sequence[Damage], folder: Path) -> None:
     assert not wrong, f"{len(wrong)} of {len(chosen)} damaged files:\n{listed}"
 
 
-@pytest.mark.ci
+@pytest.mark.long
 def test_a_sample_of_damaged_files_is_refused(tmp_path: Path) -> None:
     judge(cases(1)[::9], tmp_path)
 

@@ -23,7 +23,7 @@ def check(models: int, seed: int) -> dict[str, Any]:
     return found
 
 
-@pytest.mark.ci
+@pytest.mark.long
 def test_models_of_a_fixed_seed() -> None:
     """Four of each family; together they show every property."""
     found = check(4 * len(FAMILIES), 15)

@@ -1,6 +1,6 @@
 """Random motions by default settings, against references: none is wrong without saying so.
 
-The seeds are fixed.  CI takes `JUDGED` motions, which the page shows; all are run by ``make test-all``.
+The seeds are fixed.  `JUDGED` motions are those that the page shows; ``make test-all`` runs all.
 """
 
 from functools import cache

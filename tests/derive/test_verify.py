@@ -90,7 +90,10 @@ def failed(rows: list[KernelRow]) -> set[tuple[str, str]]:
 
 @pytest.mark.parametrize(
     "name",
-    [pytest.param(name, marks=[pytest.mark.slow, pytest.mark.ci] if name in SLOW else ()) for name in NAMES],
+    [
+        pytest.param(name, marks=[pytest.mark.slow, pytest.mark.long] if name in SLOW else ())
+        for name in NAMES
+    ],
 )
 def test_generated_kernels_are_what_the_definitions_say(name: str) -> None:
     result = verify_generated([name])

@@ -46,7 +46,7 @@ def cases() -> list[object]:
     for name in MECHANISMS:
         for rtol in TOLERANCES:
             marks = [] if name in QUICK else [pytest.mark.slow]
-            marks += [pytest.mark.ci] * (name in LONGEST)
+            marks += [pytest.mark.long] * (name in LONGEST)
             found.append(pytest.param(name, rtol, marks=marks, id=f"{name}-{rtol:g}"))
     return found
 

@@ -25,7 +25,7 @@ def runaway() -> fx.System:
     return m.build()
 
 
-@pytest.mark.ci
+@pytest.mark.long
 def test_a_runaway_is_stopped_with_the_motion_so_far_and_what_moves_fastest() -> None:
     """It would take half an hour for changes of the degrees of freedom every few microseconds."""
     reason = pytest.raises(fx.DynamicsError, match=r"has all but stopped .* moves fastest")
@@ -43,7 +43,7 @@ def test_a_runaway_in_coordinates_and_multipliers_is_stopped_too() -> None:
         runaway().simulate(100.0, method="generalized-alpha", first_step=1e-3, samples=2)
 
 
-@pytest.mark.ci
+@pytest.mark.long
 def test_a_short_fast_phase_does_not_stop_a_long_motion() -> None:
     """A load of high frequency acts for a while: thousands of steps that are much shorter, and the end is reached."""
     m = fx.Model(gravity=(0, 0))

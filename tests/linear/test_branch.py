@@ -46,7 +46,7 @@ def test_one_harmonic_follows_the_closed_form_through_both_folds() -> None:
         assert found.omega[i] == pytest.approx(exact[1], rel=1e-7)
 
 
-@pytest.mark.ci
+@pytest.mark.long
 def test_folds_do_not_depend_on_the_step_nor_on_the_direction(branch: fx.PeriodicBranch) -> None:
     fine = duffing().periodic_branch(period=PERIOD, end=2 * np.pi / 1.4, harmonics=5, step=0.07)
     assert len(fine) > 2 * len(branch)

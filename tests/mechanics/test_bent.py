@@ -85,7 +85,7 @@ def test_every_analysis_of_a_bent_state_says_it() -> None:
         assert [w.filename for w in caught] == [__file__]
 
 
-@pytest.mark.ci
+@pytest.mark.long
 def test_a_motion_says_when_a_beam_is_bent_most() -> None:
     """Released from rest under a sudden moment a beam swings to about twice its static angle."""
     m = bent(2, np.radians(25))

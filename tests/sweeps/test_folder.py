@@ -194,7 +194,7 @@ if __name__ == "__main__":
 
 
 @pytest.mark.slow
-@pytest.mark.ci
+@pytest.mark.long
 def test_many_points_need_little_memory(tmp_path: Path) -> None:
     """Of results of 76 MB the driving process holds a fraction at a time."""
     printed = process(MEMORY, str(tmp_path)).communicate(timeout=120)[0].split(maxsplit=3)

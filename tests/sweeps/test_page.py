@@ -24,7 +24,7 @@ def test_the_program_of_the_page_runs() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.ci
+@pytest.mark.long
 def test_the_hoist_is_studied_at_each_point() -> None:
     """One of the points that the example hands to a cluster; less damping gives a larger factor."""
     from flexel.examples.hoist_cluster import analyse, build

@@ -27,12 +27,12 @@ def rows() -> list[Quantity]:
     return [*static.large_deflections(), *static.buckling(), *dynamic.vibrations(), *dynamic.spin_up()]
 
 
-@pytest.mark.ci
+@pytest.mark.long
 def test_deflections_buckling_loads_frequencies_and_the_spin_up_are_reproduced(rows: list[Quantity]) -> None:
     assert failures(rows) == []
 
 
-@pytest.mark.ci
+@pytest.mark.long
 def test_the_tables_that_pages_quote_are_those_of_the_program(rows: list[Quantity]) -> None:
     """`make docs` computes all systems anew except the beams, whose search for meshes takes a minute."""
     found = {row.name: quoted.rounded(row.to_dict()) for row in rows}

@@ -16,7 +16,7 @@ def benchmark() -> dict[str, Any]:
     return published("hooke_joint")
 
 
-@pytest.mark.ci
+@pytest.mark.long
 def test_every_quantity_is_within_its_tolerance() -> None:
     assert not_reproduced("cardan") == {}
     assert {"ratio_max_error", "flexible_limit_order"} <= set(rows_of("cardan"))

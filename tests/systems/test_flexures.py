@@ -16,7 +16,7 @@ def results() -> example.FlexureResults:
     return example.analyse()
 
 
-@pytest.mark.ci
+@pytest.mark.long
 def test_every_closed_form_is_met() -> None:
     rows = rows_of("flexures").values()
     assert not_reproduced("flexures") == {}
@@ -57,7 +57,7 @@ def test_elastica_is_the_tabulated_one() -> None:
 # -- physics over the range -----------------------------------------------------------------------
 
 
-@pytest.mark.ci
+@pytest.mark.long
 @pytest.mark.parametrize("case", ["guide", "pivot"])
 def test_support_stiffness_falls_over_the_range_and_the_drive_keeps_its_own(
     results: example.FlexureResults, case: str
@@ -70,7 +70,7 @@ def test_support_stiffness_falls_over_the_range_and_the_drive_keeps_its_own(
     assert stations[-1].free.stiffness()[drive] == pytest.approx(stations[0].free.stiffness()[drive], rel=0.1)
 
 
-@pytest.mark.ci
+@pytest.mark.long
 @pytest.mark.parametrize("case", ["guide", "pivot"])
 def test_compliance_is_symmetric_and_positive_at_every_station(
     results: example.FlexureResults, case: str
@@ -82,7 +82,7 @@ def test_compliance_is_symmetric_and_positive_at_every_station(
         assert np.linalg.eigvalsh(C)[0] > 0
 
 
-@pytest.mark.ci
+@pytest.mark.long
 def test_the_drive_compliance_is_the_slope_of_the_travel(results: example.FlexureResults) -> None:
     system = example.pivot().build()
     start = results.pivot[-1]
@@ -93,7 +93,7 @@ def test_the_drive_compliance_is_the_slope_of_the_travel(results: example.Flexur
     assert start.free.matrix[5, 5] == pytest.approx(slope, rel=1e-5)
 
 
-@pytest.mark.ci
+@pytest.mark.long
 def test_body_axes_turn_with_the_pivot(results: example.FlexureResults) -> None:
     last = results.pivot[-1]
     c, s = np.cos(last.travel), np.sin(last.travel)
@@ -137,7 +137,7 @@ def test_over_constraint_is_refused_by_name_and_cured_by_the_named_releases(
     assert m.build().counts["degrees_of_freedom"] == 1
 
 
-@pytest.mark.ci
+@pytest.mark.long
 def test_figures_are_written(results: example.FlexureResults, tmp_path: Path) -> None:
     pytest.importorskip("matplotlib")
     from flexel.examples.flexures_figures import pictures

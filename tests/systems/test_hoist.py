@@ -84,7 +84,7 @@ def test_pressure_is_the_tension_over_the_radius_away_from_the_ends(lifted: hois
     assert ratios.mean() == pytest.approx(1, abs=0.015)  # of the paper's mesh; 0.012
 
 
-@pytest.mark.ci
+@pytest.mark.long
 def test_pressure_is_within_five_percent_with_twice_as_many_elements() -> None:
     fine = hoist.simulate(replace(HOIST, elements=hoist.FINE), 1.0, step=2e-3)
     ratios = hoist_rest.pressure_ratios(fine.model, fine.rest)

@@ -63,7 +63,7 @@ def test_waves_and_sudden_loads_have_their_closed_forms() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.ci
+@pytest.mark.long
 def test_pendulum_converges_and_a_swinging_rope_keeps_its_energy() -> None:
     rows = swings.rows()
     assert failures(rows) == []
@@ -93,7 +93,7 @@ def test_reference_of_the_swinging_atwoods_machine_without_a_swing_is_the_cosh_l
 
 
 @pytest.mark.slow
-@pytest.mark.ci
+@pytest.mark.long
 def test_ropes_wrap_and_unwrap_a_sheave_as_lagranges_equations_say() -> None:
     rows = pendulums.rows()
     assert failures(rows) == []
@@ -101,7 +101,7 @@ def test_ropes_wrap_and_unwrap_a_sheave_as_lagranges_equations_say() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.ci
+@pytest.mark.long
 def test_capstan_has_eulers_ratio_for_all_wraps_and_frictions_of_the_table(benchmark: dict[str, Any]) -> None:
     table = {(row["mu"], row["phi_deg"]): row["ratio"] for row in benchmark["capstan"]["table"]}
     assert set(table) == {(mu, wrap) for mu in sheaves.FRICTIONS for wrap in sheaves.WRAPS}
@@ -157,7 +157,7 @@ def test_hoist_with_one_dof_is_that_of_the_table(benchmark: dict[str, Any]) -> N
 
 
 @pytest.mark.slow
-@pytest.mark.ci
+@pytest.mark.long
 def test_winding_hoist_lifts_as_with_one_dof() -> None:
     """What remains on fine meshes is the creep of the rope on the drum, which one degree of freedom has not."""
     rows = hoists.hoist()
@@ -166,7 +166,7 @@ def test_winding_hoist_lifts_as_with_one_dof() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.ci
+@pytest.mark.long
 def test_tackle_has_the_advantage_the_speed_ratio_and_the_efficiency_of_its_falls() -> None:
     rows = hoists.tackle()
     assert failures(rows) == []
@@ -191,7 +191,7 @@ def test_winch_lifts_by_the_length_of_the_helix_and_moves_its_rope_by_the_lead(l
 
 
 @pytest.mark.slow
-@pytest.mark.ci
+@pytest.mark.long
 def test_figures_are_written(at_rest: list[Quantity], tmp_path: Path) -> None:
     pytest.importorskip("matplotlib", reason="pictures need matplotlib: pip install 'flexel[plot]'")
     from flexel.examples.rope_figures import pictures

@@ -39,7 +39,7 @@ def test_the_stable_range_of_the_benchmark() -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.ci
+@pytest.mark.long
 def test_the_picture(tmp_path: Path) -> None:
     pytest.importorskip("matplotlib", reason="pictures need pip install 'flexel[plot]'")
     pytest.importorskip("joblib", reason="sweeps need pip install 'flexel[sweep]'")
