@@ -7,6 +7,7 @@ from typing import Protocol
 
 import numpy as np
 
+from flexel.base.arguments import text
 from flexel.base.arrays import Array, StateSpace
 from flexel.base.errors import LinearizationError
 from flexel.base.shown import counted
@@ -60,7 +61,7 @@ class SmallMotion:
         LinearizationError
             A force or an acceleration where the nominal motion leaves forces F.
         """
-        if name in self.states:
+        if text(name, "small motion", "name") in self.states:
             return np.asarray(self.x[:, self.states.index(name)])
         if parts(name)[1] in (-1, 2) and self.about.F.any():
             raise LinearizationError(
@@ -72,7 +73,7 @@ class SmallMotion:
 
     def total(self, name: str) -> Array:
         """Return the value (nt,) of a quantity: that of the nominal motion and the change."""
-        base, order = parts(name)
+        base, order = parts(text(name, "small motion", "name"))
         states = [lin.state for lin in self.about.linearized(self.t)[0]]
         read = {-1: "force", 1: "rate", 2: "acceleration"}
         nominal = [state[base] if not order else getattr(state, read[order])(base) for state in states]

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from flexel.base.arguments import index, mapping, number, numbers, positive, unknown, vector, whole
+from flexel.base.arguments import array, index, mapping, names, number, numbers, positive, unknown, whole
 from flexel.base.arrays import Array, ComplexArray, StateSpace
 from flexel.base.errors import LinearizationError, ModelError
 from flexel.base.shown import counted, listed
@@ -131,7 +131,7 @@ class TimeVarying(Sequence[Linearization]):
     @property
     def state_matrices(self) -> Array:
         """Matrices A (ns, n, n) of the first-order equations at the samples, n = 2 nd + nk + nz."""
-        return self.rates(self._samples)
+        return self._rates(self._samples)
 
     def at(self, t: float) -> Linearization:
         """Return the linearization at any time [s] of the motion.
@@ -161,10 +161,9 @@ class TimeVarying(Sequence[Linearization]):
         LinearizationError
             A displacement as an input; or as `at`.
         """
-        if times is None:
-            return self.matrices(self._samples, inputs, outputs)
-        grid = vector(times, "along.state_space", "times", len(times))
-        return self.matrices(self.linearized(grid)[0], inputs, outputs)
+        owner = "along.state_space"
+        samples = self._samples if times is None else self.linearized(_grid(times, owner))[0]
+        return self._matrices(samples, names(inputs, f"{owner}: inputs"), names(outputs, f"{owner}: outputs"))
 
     # -- analyses --------------------------------------------------------------------------------
 
@@ -201,10 +200,13 @@ class TimeVarying(Sequence[Linearization]):
         >>> small = system.along(motion).transient({"lean.angle": 0.01})  # doctest: +SKIP
         >>> small["steer.angle"], small.total("steer.angle")  # doctest: +SKIP
         """
-        grid = self.t if times is None else vector(times, "along.transient", "times", len(times))
+        grid = self.t if times is None else _grid(times, "along.transient")
         if grid.size < 2 or np.any(np.diff(grid) <= 0):
             raise LinearizationError("along.transient: give at least two times that increase")
-        driven = mapping(inputs, "along.transient", "inputs")
+        driven = {
+            name: given if callable(given) else number(given, "along.transient", f"input '{name}'")
+            for name, given in mapping(inputs, "along.transient", "inputs").items()
+        }
         small, tolerance = tuple(driven), positive(tolerance, "along.transient", "tolerance")
         labels = Inputs.of(self._samples[0], small).states(self.states)
         start = np.zeros(len(labels))
@@ -214,13 +216,17 @@ class TimeVarying(Sequence[Linearization]):
             start[labels.index(name)] = value
 
         def values(at: Array) -> Array:
-            given = (driven[name] for name in small)
-            columns = [[value(float(t)) if callable(value) else value for t in at] for value in given]
-            return np.array(columns, dtype=float).reshape(len(small), at.size)
+            columns = [
+                _values(given, at, f"along.transient: input '{name}'")
+                if callable(given)
+                else np.full(at.size, given)
+                for name, given in driven.items()
+            ]
+            return np.array(columns).reshape(len(small), at.size)
 
         def equations(at: Array) -> tuple[Array, Array]:
             samples, forces = self.linearized(at)
-            A, B, _, _ = self.matrices(samples, small, ())
+            A, B, _, _ = self._matrices(samples, small, ())
             b = np.einsum("sij,js->si", B, values(at))
             if forces.any():
                 b[:, : forces.shape[1]] += np.array(
@@ -249,7 +255,7 @@ class TimeVarying(Sequence[Linearization]):
         times = self._turn("multipliers")
 
         def matrices(at: Array) -> Array:
-            return self.rates(self.linearized(at)[0])
+            return self._rates(self.linearized(at)[0])
 
         spline = interpolated(
             matrices, float(times[0]), float(times[1]), positive(tolerance, "multipliers", "tolerance")
@@ -299,17 +305,18 @@ class TimeVarying(Sequence[Linearization]):
         LinearizationError
             A motion without a period; as `Coefficients.harmonic_balance`.
         """
-        k = whole(harmonics, "along.harmonic_balance", "harmonics", most=10**4)
-        c, given = (
-            self.coefficients(samples or 4 * k + 4),
-            mapping(inputs, "along.harmonic_balance", "inputs"),
-        )
+        owner = "along.harmonic_balance"
+        k = whole(harmonics, owner, "harmonics", most=10**4)
+        given = mapping(inputs, owner, "inputs")
+        if accuracy is not None:
+            accuracy = positive(accuracy, owner, "accuracy")
+        c = self.coefficients(4 * k + 4 if samples is None else samples)
         if given:
             t = self.t[0] + 2 * np.pi / c.omega * np.arange(c.samples) / c.samples
-            F, names = c.F.copy(), tuple(given)
+            u = np.array([_values(load, t, f"{owner}: input '{name}'") for name, load in given.items()])
+            F = c.F.copy()
             for i, lin in enumerate(self.linearized(t)[0]):
-                u = np.array([given[name](float(t[i])) for name in names])
-                F[i, : len(self.dynamic)] += lin.input_matrix(names) @ u
+                F[i, : len(self.dynamic)] += lin.input_matrix(tuple(given)) @ u[:, i]
             c = replace(c, F=F)
         return c.harmonic_balance(k, accuracy)
 
@@ -332,7 +339,7 @@ class TimeVarying(Sequence[Linearization]):
         return linearize_all(self.system.kinematics, states), forces
 
     @staticmethod
-    def rates(samples: Sequence[LinearizedSystem]) -> Array:
+    def _rates(samples: Sequence[LinearizedSystem]) -> Array:
         """Return the state matrices (ns, n, n) of linearizations."""
         M, C, K, Z, A_k, B_k, Z_v, Z_q, Z_z = (
             np.array([getattr(lin, name) for lin in samples])
@@ -341,7 +348,7 @@ class TimeVarying(Sequence[Linearization]):
         return first_order(M, (C, K, Z), (A_k, B_k), (Z_v, Z_q, Z_z))
 
     @staticmethod
-    def matrices(
+    def _matrices(
         samples: Sequence[LinearizedSystem], inputs: Sequence[str], outputs: Sequence[str]
     ) -> StateSpace:
         """Return state-space matrices (ns, …) of linearizations."""
@@ -358,6 +365,21 @@ class TimeVarying(Sequence[Linearization]):
 
     def _stacked(self, name: str) -> Array:
         return np.array([getattr(lin, name) for lin in self._samples])
+
+
+def _grid(times: Sequence[float] | Array, owner: str) -> Array:
+    """Return times as an array (nt,) of at least one."""
+    grid = array(times, owner, "times")
+    if grid.ndim != 1 or not grid.size:
+        raise ModelError(f"{owner}: times must be a list of at least one time [s]")
+    return grid
+
+
+def _values(function: Callable[[float], float], times: Array, owner: str) -> Array:
+    """Return the values (nt,) of a function of time that a user gave."""
+    if not callable(function):
+        raise ModelError(f"{owner} must be a function of time, such as lambda t: 0.1 * np.cos(2 * t)")
+    return np.array([number(function(float(t)), owner, "value") for t in times])
 
 
 def _check_coordinates(system: CoreSystem, state: State) -> None:

@@ -28,14 +28,15 @@ MADE_BY_FLEXEL = {
     "Ensemble", "Finding",
     "Flexure", "FlexureElement", "FlexureNode", "FlexureStep",
     "Linearization", "Linearizations", "Mode", "Motion", "PeriodicBranch", "PeriodicSolution", "Points",
-    "Reduced", "RigidBody", "RootLoci", "Rope", "SampledLoop", "Spacar", "SpacarRecords", "State", "Stepper",
-    "StressPoint", "Summary", "System", "Vibration",
+    "Reduced", "RigidBody", "RootLoci", "Rope", "SampledLoop", "SmallMotion", "Spacar", "SpacarRecords", "State",
+    "Stepper", "StressPoint", "Summary", "System", "TimeVarying", "Vibration",
 }  # fmt: skip
 # Methods that the parts of flexel call with checked values, and those of tuple.
 INTERNAL = {
     "Contact.law", "Curve.parameters", "Motion.count", "Motion.index", "Points.columns", "Points.difference",
     "Ramp.next_knot", "Ramp.on_knot", "System.kinematics_of", "System.kinematics_with", "System.use", "System.warm",
-    "Table.next_knot", "Table.of", "Table.on_knot", "Waves.parameters",
+    "Table.next_knot", "Table.of", "Table.on_knot", "TimeVarying.count", "TimeVarying.index", "TimeVarying.linearized",
+    "Waves.parameters",
 }  # fmt: skip
 # Junk that is no junk: what it stands for is in the docstring, or nothing is changed.
 DOCUMENTED = {

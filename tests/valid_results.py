@@ -5,6 +5,7 @@ from collections.abc import Callable
 from functools import cache
 from pathlib import Path
 
+import numpy as np
 import travellers
 from spacar_binary import ltv
 from valid_call import Valid, calling
@@ -25,6 +26,18 @@ def swing() -> fx.Motion:
 def forced() -> fx.Linearization:
     """The pushed mass, linearized."""
     return driven().linearize(driven().equilibrium())
+
+
+@cache
+def along() -> fx.TimeVarying:
+    """The linearized equations along the motion, taken for a period of it."""
+    return rod().along(swing(), period=0.1)
+
+
+@cache
+def small() -> fx.SmallMotion:
+    """A small motion about it."""
+    return along().transient({"pivot.angle": 0.01})
 
 
 @cache
@@ -159,4 +172,17 @@ RESULTS: dict[str, Callable[[], Valid]] = {
     "SpacarRecords.state_space": lambda: calling(records().state_space, record=0),
     "SpacarRecords.to_control": lambda: calling(records().to_control, record=0),
     "Spacar.variant": lambda: calling(spacar().variant, loads=False),
+    "SmallMotion.total": lambda: calling(small().total, name="A.x"),
+    "TimeVarying.at": lambda: calling(along().at, t=0.05),
+    "TimeVarying.coefficients": lambda: calling(along().coefficients, samples=8),
+    "TimeVarying.harmonic_balance": lambda: calling(
+        along().harmonic_balance, harmonics=2, inputs={"pivot.angle": np.cos}
+    ),
+    "TimeVarying.multipliers": lambda: calling(along().multipliers),
+    "TimeVarying.state_space": lambda: calling(
+        along().state_space, inputs=["pivot.angle"], outputs=["A.x"], times=[0.0, 0.05]
+    ),
+    "TimeVarying.transient": lambda: calling(
+        along().transient, initial={"pivot.angle": 0.01}, inputs={"pivot.angle": 0.1}, times=[0.0, 0.05]
+    ),
 }  # fmt: skip

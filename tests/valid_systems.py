@@ -72,6 +72,7 @@ SYSTEMS: dict[str, Callable[[], Valid]] = {
     ),
     "System.equilibrium": lambda: calling(rod().equilibrium, start=rod().initial),
     "System.time_scaled": lambda: calling(rod().time_scaled, factor=2.0),
+    "System.along": lambda: calling(rod().along, motion=rod().simulate(0.1, samples=4), period=0.1),
     "System.linearize": lambda: calling(rod().linearize, state=rod().initial),
     "System.linearize_many": lambda: calling(
         rod().linearize_many, state=rod().initial, parameters=MASS, threads=1, progress=False

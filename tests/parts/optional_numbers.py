@@ -3,6 +3,7 @@
 from collections.abc import Callable
 
 import numpy as np
+from own_cables import OWN_CABLE, OWN_LAW
 
 import flexel as fx
 from flexel.derive import Internal, Law, Parameter, symbol
@@ -112,6 +113,24 @@ def wound() -> fx.Model:
     return m
 
 
+def own_pages() -> fx.Model:
+    """A cable, a line of cables and a rope on a sheave with an element and a law of the user."""
+    own = {"element": OWN_CABLE, "law": OWN_LAW, "parameters": {"hardening": 200.0}, "EA": 1e5, "EI": 1.0}
+    m = fx.Model(gravity=(0, -9.81))
+    m.point("A", (0, 0), fixed=True)
+    m.point("B", (1, 0))
+    m.cable("cable", "A", m.slope("a", (1, 0)), "B", m.slope("b", (1, 0)), **own)  # type: ignore[arg-type]
+    m.cable_line("line", [(0, -1), (1, -1)], 2, **own)  # type: ignore[arg-type]
+    m.point("C", (0, 2), fixed=True)
+    m.angle("F", fixed=True)
+    m.sheave("S", "C", "F", radius=0.3)
+    m.point("P", (-0.3, 1), fixed=True)
+    m.point("Q", (0.3, 1))
+    m.rope("rope", ["P", "S", "Q"], 12, contact=fx.Contact(1e8), radius=0.01, **own)  # type: ignore[arg-type]
+    m.fix("line_p0", "line_p2", "Q")
+    return m
+
+
 def slider() -> fx.Model:
     """Two masses on a line, with bars between."""
     m = fx.Model()
@@ -190,6 +209,7 @@ OPTIONAL: dict[str, Callable[[], fx.Model]] = {
     "ball": ball,
     "ball in a groove": lambda: ball(fx.VGroove(1.2)),
     "wound": wound,
+    "own pages": own_pages,
     "strained": strained,
     "creeping": creeping,
     "rolling": rolling,
