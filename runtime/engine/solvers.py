@@ -19,6 +19,7 @@ _getrs: Any = get_lapack_funcs("getrs", dtype=np.float64)
 _gelsy: Any = get_lapack_funcs("gelsy", dtype=np.float64)
 _gesv: Any = get_lapack_funcs("gesv", dtype=np.float64)
 _potrf: Any = get_lapack_funcs("potrf", dtype=np.float64)
+_gesdd: Any = get_lapack_funcs("gesdd", dtype=np.float64)
 _geev: Any = get_lapack_funcs("geev", dtype=np.float64)
 _splu: Any = splu
 _issparse: Any = issparse
@@ -78,6 +79,23 @@ def least(A: Array, b: Array, rcond: float) -> Array:
     padded[:r] = b
     found: Array = _gelsy(A, padded, np.zeros(n, dtype=np.int32), rcond, 64 * (r + n + 1))[1]
     return found[:n]
+
+
+def singular_values(A: Array) -> tuple[Array, Array, Array]:
+    """Compute U (r, k), s (k,) and V (n, n) of A = U diag(s) V[:k], k = min(r, n), for a small matrix (r, n).
+
+    Raises
+    ------
+    numpy.linalg.LinAlgError
+        If the iteration does not converge.
+    """
+    r, n = A.shape
+    if not A.size:
+        return np.zeros((r, 0)), np.zeros(0), np.eye(n)
+    U, s, V, info = _gesdd(A, full_matrices=r < n)
+    if info:
+        raise np.linalg.LinAlgError("the singular values did not converge")
+    return U, s, V
 
 
 class Factorization:

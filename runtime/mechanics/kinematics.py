@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 from scipy.sparse import csc_array
 
-from flexel.base.arrays import Array
+from flexel.base.arrays import Array, Index
 from flexel.base.errors import ConstraintError, FlexelError, ModelError, PositionError
 from flexel.base.nested import Levels
 from flexel.base.once import once
@@ -125,6 +125,22 @@ class Kinematics:
             tuple(names[i] for i in roles.kinematic),
             tuple(names[i] for i in roles.prescribed),
         )
+
+    @cached_property
+    def kept_at_start(self) -> tuple[Index, Index]:
+        """Free deformations that keep their values at the start if possible: those with laws, and the others.
+
+        Contacts are left out: touching bodies may slide and separate.
+        """
+        structure, roles = self.structure, self.roles
+        acting = [[structure.find(name) for name in law.deformations] for law in structure.laws]
+        touching = {i for rows in acting if any(structure.kinds[i] == "gap" for i in rows) for i in rows}
+        elastic = {i for rows in acting for i in rows} - touching
+        others = {i for i in range(structure.m) if structure.kinds[i] not in ("gap", "norm")} - touching
+        held = {*roles.holonomic.tolist(), *roles.zero.tolist()}
+        levels = (sorted(level - held) for level in (elastic, others - elastic))
+        first, second = (np.array(level, dtype=np.intp) for level in levels)
+        return first, second
 
     @property
     def choice(self) -> CoordinateWork:

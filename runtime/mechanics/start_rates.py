@@ -11,19 +11,17 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-from scipy.sparse import block_array, diags_array, eye_array, vstack
+from scipy.sparse import block_array, diags_array, eye_array, issparse, vstack
 
 from flexel.base.arguments import numbers
 from flexel.base.arrays import Array, Index
 from flexel.base.errors import DynamicsError, PositionError
 from flexel.engine.coordinate_work import CoordinateWork
-from flexel.engine.solvers import factorize, least
+from flexel.engine.solvers import factorize, least, singular_values
 from flexel.mechanics.kinematics import Kinematics
-from flexel.model.structure import Structure
 
 HELD = 1e-14  # softness of conditions, which may be redundant
-DEPENDENT = 1e-9  # relative size of a given rate that counts as dependent on others
-LIGHT = 1e-9  # weight of directions that a level does not concern
+LIGHT = 1e-9  # weight of directions that a level does not concern, relative to its largest square
 SWEEPS = 4  # each reduces the error left by the weight to this share
 CONSISTENT = 1e-9  # error of a given rate, relative to the largest, above which it is contradictory
 
@@ -53,12 +51,8 @@ def consistent_rates(kinematics: Kinematics, choice: CoordinateWork, rates: Mapp
         found = rates_of(qd)
     else:
         work.inertia()
-        v = _expected(kinematics, choice, first, rows, wanted)
-        qd = np.concatenate([work.jvp(v), v])[dynamic]
+        qd = _expected(kinematics, choice, first, rows, wanted)
         found = rates_of(qd)
-        if not kinematics.lists.saddle:  # for the last digit of the given rates
-            found = rates_of(qd + least(choice.unit_rates(rows), wanted - found[rows], DEPENDENT))
-            qd = choice.qd.copy()
     off = np.abs(wanted - found[rows])
     scale = np.abs(np.concatenate([wanted, first, found])).max(initial=1e-12)
     if off.size and off.max() > CONSISTENT * scale:
@@ -73,69 +67,106 @@ def consistent_rates(kinematics: Kinematics, choice: CoordinateWork, rates: Mapp
     return qd
 
 
-def held_still(structure: Structure) -> tuple[Index, Index]:
-    """Return the deformations that keep their values at the start if possible: those with laws, and the others.
-
-    Contacts are left out: touching bodies may slide and separate.
-    """
-    acting = [[structure.find(name) for name in law.deformations] for law in structure.laws]
-    touching = {i for rows in acting if any(structure.kinds[i] == "gap" for i in rows) for i in rows}
-    elastic = {i for rows in acting for i in rows} - touching
-    other = {i for i in range(structure.m) if structure.kinds[i] not in ("gap", "norm")} - elastic - touching
-    return np.array(sorted(elastic), dtype=np.intp), np.array(sorted(other), dtype=np.intp)
-
-
 def _expected(
     kinematics: Kinematics, choice: CoordinateWork, first: Array, rows: Index, wanted: Array
 ) -> Array:
-    """Find rates v (n,): level by level the least rates of some quantities, among those least in earlier levels.
+    """Find q_d' (nd,): level by level the least rates of some quantities, among those least in earlier levels.
 
     Parameters
     ----------
     first : ndarray (m + k + n,)
-        Rates that satisfy the constraints.
+        Rates that satisfy the constraints, about which unknowns u are counted: the rates are first + N u.
     rows : ndarray of int (r,), wanted : ndarray (r,)
         Quantities whose rates are given.
     """
-    structure, roles, tables = kinematics.structure, kinematics.roles, kinematics.evaluation.tables
-    nf, slips = structure.nf, structure.m + structure.k
-    x_scale = kinematics.scales(slips + np.arange(nf))
-    J = tables.J.matrix(choice.work.J)[:, :nf] @ diags_array(x_scale)
-    M = diags_array(x_scale) @ tables.M.matrix(choice.work.M)[:nf, :nf] @ diags_array(x_scale)
-    held = np.concatenate([roles.holonomic, roles.zero])
-    elastic, free = (np.setdiff1d(part, held) for part in held_still(structure))
-    u, hard, kept = first[slips : slips + nf] / x_scale, _scaled(kinematics, J, held), first[held]
-    kept = kept / kinematics.scales(held)
-    for level, target in ((rows, wanted), (elastic, np.zeros(elastic.size)), (free, np.zeros(free.size))):
-        D, target = _scaled(kinematics, J, level), target / kinematics.scales(level)
-        u = _least(D.T @ D, D.T @ target, hard, kept, u)
-        reached = D @ u
-        exact = np.abs(reached - target) <= CONSISTENT * np.abs(u).max(initial=0.0)
-        hard, kept = vstack([hard, D]).tocsr(), np.concatenate([kept, np.where(exact, target, reached)])
-    v = np.zeros(structure.n)
-    v[:nf] = x_scale * _least(M, np.zeros(nf), hard, kept, u)
-    return v
+    structure, roles = kinematics.structure, kinematics.roles
+    v = structure.m + structure.k + np.arange(structure.nf)
+    N, unknowns = (_constrained if kinematics.lists.saddle else _independent)(kinematics, choice)
+    for level, target in ((rows, wanted), *((level, 0.0) for level in kinematics.kept_at_start)):
+        if level.size:
+            scale = kinematics.scales(level)
+            unknowns.reduce(_rows(N, level, scale), (target - first[level]) / scale)
+    if unknowns.left:
+        M = kinematics.evaluation.tables.M.matrix(choice.work.M)[: v.size, : v.size]
+        unknowns.minimize(N[v].T @ (M @ N[v]), -N[v].T @ (M @ first[v]))
+    return np.asarray((first + N @ unknowns.u)[roles.dynamic])
 
 
-def _scaled(kinematics: Kinematics, J: Any, rows: Index) -> Any:
-    """Return the rows of a sparse matrix, relative to the natural scales of their quantities."""
-    return diags_array(1 / kinematics.scales(rows)) @ J.tocsr()[rows]
+def _rows(N: Any, rows: Index, scale: Array) -> Any:
+    """Return rows of a matrix, relative to scales."""
+    return diags_array(1 / scale) @ N[rows] if issparse(N) else N[rows] / scale[:, None]
 
 
-def _least(K: Any, f: Array, hard: Any, kept: Array, u: Array) -> Array:
-    """Return the vector (n,) near u that minimizes u' K u/2 - f' u, with `hard` u = `kept`; sparse matrices."""
-    size = float(abs(K).max()) if K.nnz else 0.0
-    if not size:
-        return u
-    K, f = K / size, f / size
-    n, h = K.shape[0], hard.shape[0]
-    corner = -HELD * eye_array(h) if h else None
-    blocks = [[K + LIGHT * eye_array(n), hard.T], [hard, corner]] if h else [[K + LIGHT * eye_array(n)]]
-    factors = factorize(block_array(blocks))
-    if not factors.regular:
-        raise DynamicsError(
-            "the rates at the start cannot be determined; give the rate of every degree of freedom"
-        )
-    for _ in range(SWEEPS):
-        u = u + factors.solve(np.concatenate([f - K @ u, kept - hard @ u]))[:n]
-    return u
+def _independent(kinematics: Kinematics, choice: CoordinateWork) -> tuple[Array, FewUnknowns]:
+    """Return N (m + k + n, nd) and unknowns where they are the degrees of freedom, in their natural scales."""
+    dynamic = kinematics.roles.dynamic
+    N = choice.unit_rates(np.arange(kinematics.structure.m + kinematics.structure.k + kinematics.structure.n))
+    return N * kinematics.scales(dynamic), FewUnknowns(dynamic.size)
+
+
+def _constrained(kinematics: Kinematics, choice: CoordinateWork) -> tuple[Any, ManyUnknowns]:
+    """Return N (m + k + n, nf), sparse, and unknowns where they are all free coordinates, under the constraints."""
+    structure, roles = kinematics.structure, kinematics.roles
+    own, held = (
+        structure.m + structure.k + np.arange(structure.nf),
+        np.concatenate([roles.holonomic, roles.zero]),
+    )
+    J = kinematics.evaluation.tables.J.matrix(choice.work.J)[:, : structure.nf]
+    N = (J @ diags_array(kinematics.scales(own))).tocsr()
+    return N, ManyUnknowns(_rows(N, held, kinematics.scales(held)))
+
+
+class FewUnknowns:
+    """Few unknowns u (n,), and a basis Z (n, f) of their changes that earlier levels leave free; dense."""
+
+    def __init__(self, n: int) -> None:
+        self.u, self._free = np.zeros(n), np.eye(n)
+
+    @property
+    def left(self) -> bool:
+        """Whether any change is free."""
+        return self._free.size > 0
+
+    def reduce(self, D: Array, b: Array) -> None:
+        """Minimize |D u - b|."""
+        U, s, V = singular_values(D @ self._free)
+        rank = int(np.count_nonzero(s > LIGHT**0.5 * np.abs(D).max()))
+        self.u = self.u + self._free @ (V[:rank].T @ (U[:, :rank].T @ (b - D @ self.u) / s[:rank]))
+        self._free = self._free @ V[rank:].T
+
+    def minimize(self, K: Array, f: Array) -> None:
+        """Minimize u' K u/2 - f' u."""
+        Z = self._free
+        self.u = self.u + Z @ least(Z.T @ K @ Z, Z.T @ (f - K @ self.u), LIGHT)
+
+
+class ManyUnknowns:
+    """Many unknowns u (n,), and conditions hard u = kept of the constraints and of earlier levels; sparse."""
+
+    left = True  # which are free is not known
+
+    def __init__(self, hard: Any) -> None:
+        self.u, self._hard, self._kept = np.zeros(hard.shape[1]), hard, np.zeros(hard.shape[0])
+
+    def reduce(self, D: Any, b: Array) -> None:
+        """Minimize |D u - b|, and keep what is reached."""
+        self.minimize(D.T @ D, D.T @ b)
+        found = D @ self.u
+        exact = np.abs(found - b) <= CONSISTENT * np.abs(self.u).max(initial=0.0)
+        self._hard = vstack([self._hard, D]).tocsr()
+        self._kept = np.concatenate([self._kept, np.where(exact, b, found)])
+
+    def minimize(self, K: Any, f: Array) -> None:
+        """Minimize u' K u/2 - f' u."""
+        size = float(abs(K).max()) if K.nnz else 0.0
+        if not size:
+            return
+        K, f, hard, (h, n) = K / size, f / size, self._hard, self._hard.shape
+        blocks = [[K + LIGHT * eye_array(n), hard.T], [hard, -HELD * eye_array(h)]]
+        factors = factorize(block_array(blocks if h else [blocks[0][:1]]))
+        if not factors.regular:
+            raise DynamicsError(
+                "the rates at the start cannot be determined; give the rate of every degree of freedom"
+            )
+        for _ in range(SWEEPS):
+            self.u = self.u + factors.solve(np.concatenate([f - K @ self.u, self._kept - hard @ self.u]))[:n]
