@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any, Self, TypeVar
 from flexel.apps.view.thumbnail import thumbnail
 from flexel.base.arguments import unknown
 from flexel.base.arrays import Array, Vector
+from flexel.base.blas import in_one_thread
 from flexel.base.errors import FlexelError, ModelError
 from flexel.base.shown import PrintedTable, counted
 from flexel.compile import build
@@ -414,6 +415,7 @@ class Model:
             instance.spec.family or instance.spec.name for instance in self.instances.values()
         )
 
+    @in_one_thread
     def build(self, t: float = 0.0) -> System:
         """Count, check and assemble: the System at time t [s], in a consistent initial state.
 

@@ -9,6 +9,7 @@ from typing import Any
 
 from flexel.base.arguments import flag
 from flexel.base.arrays import StateSpace
+from flexel.base.blas import in_one_thread
 from flexel.base.outside import DataFrame, Dataset, Figure
 from flexel.linear.response import FrequencyResponse, frequency_response
 from flexel.linear.sampled import SampledLoop, sampled_loop
@@ -36,6 +37,7 @@ class Linearization(LinearizedSystem):
         The state about which it was linearized.
     """
 
+    @in_one_thread
     def state_space(self, inputs: Sequence[str] = (), outputs: Sequence[str] = ()) -> StateSpace:
         """Return state-space matrices A, B, C, D.
 
@@ -56,6 +58,7 @@ class Linearization(LinearizedSystem):
         """
         return state_space(self, inputs, outputs)
 
+    @in_one_thread
     def sampled(self) -> SampledLoop:
         """Return the closed loop of the sampled controllers over one period.
 
@@ -79,6 +82,7 @@ class Linearization(LinearizedSystem):
         """
         return sampled_loop(self)
 
+    @in_one_thread
     def frequency_response(
         self, inputs: str | Sequence[str], outputs: str | Sequence[str], frequencies: Any = None
     ) -> FrequencyResponse:
@@ -108,6 +112,7 @@ class Linearization(LinearizedSystem):
         """
         return frequency_response(self, inputs, outputs, frequencies)
 
+    @in_one_thread
     def bode(
         self,
         inputs: str | Sequence[str],
@@ -175,6 +180,7 @@ class Linearization(LinearizedSystem):
 
         return view_modes(self, path, **options)
 
+    @in_one_thread
     def to_control(self, inputs: Sequence[str], outputs: Sequence[str] = (), *, name: str = "flexel") -> Any:
         """Return a labelled `control.StateSpace` (needs python-control).
 
@@ -202,6 +208,7 @@ class Linearization(LinearizedSystem):
 
         return to_control(self, inputs, outputs, name=name)
 
+    @in_one_thread
     def to_scipy(self, inputs: Sequence[str], outputs: Sequence[str] = ()) -> Any:
         """Return a `scipy.signal.StateSpace`; its states, inputs and outputs are ordered as in `state_space`."""
         from flexel.results.control import to_scipy

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from flexel.base.arguments import index
 from flexel.base.arguments import names as checked_names
 from flexel.base.arrays import Array, ComplexArray
+from flexel.base.blas import in_one_thread
 from flexel.base.errors import ModelError
 from flexel.base.outside import Dataset, Figure
 from flexel.base.shown import counted, listed
@@ -72,6 +73,7 @@ class Linearizations:
         """Names of q = (q_d, q_k)."""
         return self.dynamic + self.kinematic
 
+    @in_one_thread
     def linearization(self, variant: int, rate: int = 0) -> Linearization:
         """Compute the whole linearization of one variant again, with its inputs, modes and state.
 
@@ -101,10 +103,12 @@ class Linearizations:
         A[good] = some
         return A
 
+    @in_one_thread
     def eigenvalues(self) -> ComplexArray:
         """Return the eigenvalues (…, n) [1/s] of the state matrices, unordered; NaN where a variant failed."""
         return _eigenvalues(self.state_matrices)
 
+    @in_one_thread
     def reduced(self, names: Sequence[str], tolerance: float = 1e-9) -> Linearizations:
         """Reduce to equations of the named dynamic degrees of freedom, checked to be decoupled in every variant.
 
@@ -183,6 +187,7 @@ class RootLoci:
         labels = own.dynamic + own.dofs + own.internal
         return [Branches.of(self.values, matrix, labels) for matrix in (A if own.rates else [A])]
 
+    @in_one_thread
     def branches(self, variant: int = 0) -> Branches:
         """Return the names of the branches, the columns of each, and where they become stable or unstable.
 
@@ -197,6 +202,7 @@ class RootLoci:
         return self._tracked[chosen]
 
     @property
+    @in_one_thread
     def eigenvalues(self) -> ComplexArray:
         """Branches (np, n) [1/s], followed by the shapes of their modes; (variants, np, n) where parameters vary
         besides the rates.

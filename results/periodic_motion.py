@@ -10,6 +10,7 @@ import numpy as np
 
 from flexel.base.arguments import unknown
 from flexel.base.arrays import Array, ComplexArray
+from flexel.base.blas import in_one_thread
 from flexel.base.errors import ModelError
 from flexel.base.outside import DataFrame, Dataset, Figure
 from flexel.linear.harmonics import Coefficients, PeriodicVibration
@@ -79,6 +80,7 @@ class PeriodicSolution:
         a[0] /= 2
         return np.asarray(a)
 
+    @in_one_thread
     def multipliers(self) -> ComplexArray:
         """Floquet multipliers (2 nd,), largest modulus first; below one in modulus, small disturbances decay."""
         return self.vibration.coefficients.floquet_multipliers()

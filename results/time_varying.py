@@ -9,6 +9,7 @@ import numpy as np
 
 from flexel.base.arguments import array, index, mapping, names, number, numbers, positive, unknown, whole
 from flexel.base.arrays import Array, ComplexArray, StateSpace
+from flexel.base.blas import in_one_thread
 from flexel.base.errors import LinearizationError, ModelError
 from flexel.base.shown import counted, listed
 from flexel.linear.course import Course
@@ -133,6 +134,7 @@ class TimeVarying(Sequence[Linearization]):
         """Matrices A (ns, n, n) of the first-order equations at the samples, n = 2 nd + nk + nz."""
         return self._rates(self._samples)
 
+    @in_one_thread
     def at(self, t: float) -> Linearization:
         """Return the linearization at any time [s] of the motion.
 
@@ -143,6 +145,7 @@ class TimeVarying(Sequence[Linearization]):
         """
         return as_linearization(self.linearized(np.array([number(t, "along.at", "time")]))[0][0])
 
+    @in_one_thread
     def state_space(
         self, inputs: Sequence[str] = (), outputs: Sequence[str] = (), times: Sequence[float] | None = None
     ) -> StateSpace:
@@ -167,6 +170,7 @@ class TimeVarying(Sequence[Linearization]):
 
     # -- analyses --------------------------------------------------------------------------------
 
+    @in_one_thread
     def transient(
         self,
         initial: Mapping[str, float] | None = None,
@@ -237,6 +241,7 @@ class TimeVarying(Sequence[Linearization]):
         x = forced_motion(equations, start, grid, tolerance)
         return SmallMotion(self, grid, x, labels, dict(zip(small, values(grid), strict=True)))
 
+    @in_one_thread
     def multipliers(self, tolerance: float = 1e-9) -> ComplexArray:
         """Compute Floquet multipliers (n,), largest modulus first; below one in modulus, small changes decay.
 
@@ -267,6 +272,7 @@ class TimeVarying(Sequence[Linearization]):
         found = refined(transition, tolerance, "along.multipliers", MAX_STEPS, FIRST_STEPS)
         return sorted_multipliers(found)
 
+    @in_one_thread
     def coefficients(self, samples: int) -> Coefficients:
         """Return the equations of (q_d, q_k, z) at equidistant times of the period, for harmonic balance.
 
@@ -280,6 +286,7 @@ class TimeVarying(Sequence[Linearization]):
         lins, forces = self.linearized(grid)
         return coefficients(float(end - first), lins, forces)
 
+    @in_one_thread
     def harmonic_balance(
         self,
         harmonics: int,

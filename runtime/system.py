@@ -16,6 +16,7 @@ import numpy as np
 
 from flexel.base.arguments import LARGEST, number, positive, vector
 from flexel.base.arrays import Array, Index
+from flexel.base.blas import in_one_thread
 from flexel.base.shown import listed
 from flexel.engine.evaluate import Evaluation
 from flexel.mechanics import dynamics, states
@@ -223,6 +224,7 @@ class CoreSystem:
         x, v, e = states.located(self.kinematics, t, q, qd, near.still(t))
         return -dynamics.driving_forces(self.kinematics, t, x, v, e, guess.z, qdd)
 
+    @in_one_thread
     def linearize(self, state: State | None = None) -> LinearizedSystem:
         """Linearize analytically about a state (the initial one by default); see `System.linearize`."""
         state = self.initial if state is None else own_state(self.structure, state, "linearize")
@@ -244,6 +246,7 @@ class CoreSystem:
         warn_replaced(self.kinematics, theirs, state.t)
         return theirs
 
+    @in_one_thread
     def state(self, t: float, x: Array, v: Array, e: Array | None = None, z: Array | None = None) -> State:
         """Return the complete state for coordinates and rates that satisfy the constraints.
 
@@ -274,6 +277,7 @@ class CoreSystem:
             v = self.kinematics.velocity(choice, np.zeros(self.roles.nd))
         return dynamics.complete(self.kinematics, t, x, v, e, self.structure.z0 if z is None else z)
 
+    @in_one_thread
     def state_at(
         self,
         values: Mapping[str, float] | None = None,
@@ -300,6 +304,7 @@ class CoreSystem:
         """
         return states.state_at(self.kinematics, values, rates, t, self.initial if start is None else start)
 
+    @in_one_thread
     def use_coordinates(self, dynamic: Sequence[str], kinematic: Sequence[str] | None = None) -> None:
         """Use the named quantities as degrees of freedom from now on; they are checked at the initial state."""
         rows = [named_dofs(self.structure, names, "use_coordinates") for names in (dynamic, kinematic)]

@@ -1,4 +1,4 @@
-"""What all tests share: the checkout, no window of a plot, one thread for small matrices, a random seed, an order."""
+"""What all tests share: the checkout, no window of a plot, a random seed, an order."""
 
 from __future__ import annotations  # the oldest pytest does not export all types
 
@@ -12,7 +12,6 @@ import browser as browsers
 import pytest
 
 os.environ.setdefault("MPLBACKEND", "Agg")
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # read when NumPy is first imported
 
 SEED = "FLEXEL_CAMPAIGN_SEED"  # of the random models; workers of pytest have that of the process that starts them
 os.environ.setdefault(SEED, str(secrets.randbelow(10**6)))

@@ -18,7 +18,6 @@ from __future__ import annotations
 import argparse
 import hashlib
 import json
-import os
 import re
 import sys
 from collections.abc import Iterator, Mapping, Sequence
@@ -161,7 +160,6 @@ def fresh(cases: Sequence[str]) -> dict[str, list[dict[str, Any]]]:
     """Compute the rows of systems now, two at a time; those of an unchanged program come from a file."""
     tables = computed()
     missing = [case for case in cases if case not in tables]
-    os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # matrices are small, and two systems run at a time
     with ProcessPoolExecutor(2, mp_context=get_context("spawn")) as pool:
         tables |= dict(zip(missing, pool.map(run, missing), strict=True))
     COMPUTED.parent.mkdir(exist_ok=True)

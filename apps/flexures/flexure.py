@@ -9,6 +9,7 @@ from flexel.apps.flexures.declaring import declared
 from flexel.apps.flexures.input_tables import read_tables
 from flexel.apps.flexures.measuring import Measuring
 from flexel.apps.flexures.releasing import freed
+from flexel.base.blas import in_one_thread
 from flexel.base.callers import outside
 from flexel.base.errors import DynamicsError, IncompleteWarning, ModelWarning, PositionError
 from flexel.integration.outcome import Integration
@@ -23,6 +24,7 @@ from flexel.statics.load_path import static_path
 UNLOADED_TIME_S = -1.0  # time at which only gravity acts
 
 
+@in_one_thread
 def flexure(
     nodes: Any, elements: Any, node_properties: Any = None, element_properties: Any = (), options: Any = None
 ) -> Flexure:

@@ -8,6 +8,7 @@ import numpy as np
 
 from flexel.base.arguments import array, positive
 from flexel.base.arrays import Array
+from flexel.base.blas import in_one_thread
 from flexel.base.errors import ModelError
 from flexel.integration.trajectory import Trajectory
 from flexel.linear import course
@@ -18,6 +19,7 @@ from flexel.results.time_varying import TimeVarying
 from flexel.system import CoreSystem
 
 
+@in_one_thread
 def along(
     system: CoreSystem,
     motion: Trajectory | PeriodicSolution | State | None = None,

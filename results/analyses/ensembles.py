@@ -9,6 +9,7 @@ import numpy as np
 
 from flexel.base.arguments import mapping, names, unknown
 from flexel.base.arrays import Array
+from flexel.base.blas import in_one_thread
 from flexel.base.errors import ModelError
 from flexel.integration.driver import Run
 from flexel.integration.outcome import stored_times
@@ -27,6 +28,7 @@ OPTIONS = (
 )  # fmt: skip
 
 
+@in_one_thread
 def with_parameters(system: C, values: Mapping[str, Any]) -> C:
     """Copy the system with other values of some parameters.
 
@@ -48,6 +50,7 @@ def with_parameters(system: C, values: Mapping[str, Any]) -> C:
     return variant_of(system, given, 0)
 
 
+@in_one_thread
 def simulate_many(
     system: CoreSystem,
     duration: float,

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from flexel.base.arguments import flag
 from flexel.base.arrays import Array
+from flexel.base.blas import in_one_thread
 from flexel.base.errors import IncompleteWarning, UnstableWarning
 from flexel.base.shown import Listing
 from flexel.integration.branch import Choices
@@ -38,6 +39,7 @@ def _well_chosen(system: CoreSystem, state: State) -> State:
     return replace(state, roles=better.roles)
 
 
+@in_one_thread
 def equilibrium(
     system: CoreSystem,
     start: State | None = None,
@@ -93,6 +95,7 @@ def equilibrium(
     return _checked(_well_chosen(system, found.state), "equilibrium")
 
 
+@in_one_thread
 def static_path(system: CoreSystem, start: State | None = None, *, t_end: float) -> Motion:
     """Compute equilibria as time, the load parameter, goes to `t_end`; limit points are passed by arc length.
 
@@ -125,6 +128,7 @@ def static_path(system: CoreSystem, start: State | None = None, *, t_end: float)
     return Motion(system, found)
 
 
+@in_one_thread
 def buckling(
     system: CoreSystem, state: State | None = None, *, increment: Mapping[str, float], count: int = 5
 ) -> Listing[stability.BucklingMode]:
@@ -154,6 +158,7 @@ def buckling(
     return stability.buckling(system, _checked(_at(system, state, "buckling"), "buckling"), increment, count)
 
 
+@in_one_thread
 def vibrations(
     system: CoreSystem, state: State | None = None, *, count: int = 10
 ) -> Listing[stability.Vibration]:
@@ -186,6 +191,7 @@ def vibrations(
     return stability.vibrations(system, _checked(rest, "vibrations"), count)
 
 
+@in_one_thread
 def compliance(
     system: CoreSystem,
     point: str,
@@ -219,6 +225,7 @@ def compliance(
     return compliance_of(system, point, frame, rest, offset=offset, hold=hold)
 
 
+@in_one_thread
 def steady(
     system: CoreSystem,
     start: State | None = None,

@@ -9,6 +9,7 @@ import numpy as np
 
 from flexel.base.arguments import array, mapping
 from flexel.base.arrays import Array
+from flexel.base.blas import in_one_thread
 from flexel.base.errors import ModelError
 from flexel.model.controller import refuse_sampled
 from flexel.model.quantities import history
@@ -20,6 +21,7 @@ from flexel.results.linearizations import Linearizations, RootLoci
 from flexel.system import CoreSystem
 
 
+@in_one_thread
 def linearize(system: CoreSystem, state: State | None = None) -> Linearization:
     """Linearize analytically about a state (the initial one by default).
 
@@ -39,6 +41,7 @@ def linearize(system: CoreSystem, state: State | None = None) -> Linearization:
     return as_linearization(CoreSystem.linearize(system, state))
 
 
+@in_one_thread
 def linearize_many(
     system: CoreSystem,
     state: State | Callable[[Any], State] | None = None,
@@ -78,6 +81,7 @@ def linearize_many(
     return _linearized(system, values, many, "linearize_many", threads, progress)
 
 
+@in_one_thread
 def root_loci(
     system: CoreSystem,
     state: State | None = None,

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from flexel.base.blas import in_one_thread
 from flexel.base.errors import AssemblyWarning, ConstraintError, DynamicsError, FlexelError, ModelWarning
 from flexel.base.shown import counted, quoted
 from flexel.engine.evaluate import Evaluation
@@ -30,6 +31,7 @@ POOR = (
 )
 
 
+@in_one_thread
 def check(model: Lowering, build: Callable[[], CoreSystem]) -> CheckReport:
     """Check a model; see `Model.check`.
 
@@ -102,6 +104,7 @@ def _degenerate(model: Lowering, structure: Structure) -> Iterator[Finding]:
             yield Finding("error", "elements", message)
 
 
+@in_one_thread
 def report_of_model(model: Lowering) -> ConstraintReport:
     """Report over- and under-constraint of a model as drawn; see `Model.constraint_report`."""
     elements = [*model.instances.values(), *norms(model)]

@@ -11,6 +11,7 @@ import numpy as np
 
 from flexel.base.arguments import flag
 from flexel.base.arrays import Array
+from flexel.base.blas import in_one_thread
 from flexel.base.errors import FlexelError
 from flexel.integration import methods
 from flexel.integration.driver import Run
@@ -27,6 +28,7 @@ from flexel.system import CoreSystem
 log = logging.getLogger("flexel.simulate")
 
 
+@in_one_thread
 def simulate(
     system: CoreSystem,
     duration: float,

@@ -8,6 +8,7 @@ import numpy as np
 
 from flexel.base.arguments import positive, whole
 from flexel.base.arrays import ComplexArray
+from flexel.base.blas import in_one_thread
 from flexel.base.errors import IncompleteWarning, ModelError
 from flexel.integration.outcome import Integration, States
 from flexel.linear.continuation import branch
@@ -20,6 +21,7 @@ from flexel.results.periodic_motion import PeriodicSolution
 from flexel.system import CoreSystem
 
 
+@in_one_thread
 def periodic(
     system: CoreSystem,
     start: PeriodicSolution | None = None,
@@ -60,6 +62,7 @@ def periodic(
     return _solution(system, orbit.states, vibration)
 
 
+@in_one_thread
 def periodic_branch(
     system: CoreSystem,
     start: PeriodicSolution | None = None,

@@ -9,6 +9,7 @@ import numpy as np
 
 from flexel.base.arguments import flag, number
 from flexel.base.arrays import Index
+from flexel.base.blas import in_one_thread
 from flexel.base.errors import ModelError
 from flexel.mechanics import dynamics
 from flexel.mechanics.kinematics import wrap
@@ -22,6 +23,7 @@ from flexel.system import CoreSystem
 MAX_VIOLATION = 1e-6
 
 
+@in_one_thread
 def restore(
     system: CoreSystem, saved: Motion | State, time: float | None = None, *, as_saved: bool = False
 ) -> State:

@@ -12,6 +12,7 @@ import numpy as np
 
 from flexel.base.arguments import names, number, positive, vector
 from flexel.base.arrays import Array
+from flexel.base.blas import in_one_thread
 from flexel.base.errors import ModelError
 from flexel.base.shown import listed
 from flexel.base.time_functions import Held
@@ -83,6 +84,7 @@ class Stepper:
         self._first = methods.start_of(system, method, start, options)
         self.reset()
 
+    @in_one_thread
     def reset(self, start: State | None = None) -> Array:
         """Restart with all inputs zero; returns the outputs.
 
@@ -145,6 +147,7 @@ class Stepper:
         """The complete state, with accelerations and forces; computed on demand."""
         return self._run.result.states[-1]
 
+    @in_one_thread
     def step(self, values: Sequence[float] | Array | None = None) -> Array:
         """Advance by dt.
 
@@ -249,6 +252,7 @@ def _places(structure: Structure, outputs: Sequence[str]) -> Any:
     return np.array(found, dtype=np.intp)
 
 
+@in_one_thread
 def stepper(
     system: CoreSystem,
     dt: float,

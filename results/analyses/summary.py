@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from flexel.base.arrays import Array
+from flexel.base.blas import in_one_thread
 from flexel.base.shown import PrintedTable, listed
 from flexel.integration.methods import AUTO, Options, start_of
 from flexel.integration.stiffness import ALPHA, EXPLICIT, RADAU, RIGID, limit, smooth, stiff, suitable
@@ -41,6 +42,7 @@ class Summary:
         return self._table().html
 
 
+@in_one_thread
 def summarized(system: CoreSystem) -> Summary:
     """Summarize a system at its start; see `System.summary`."""
     c, names = system.counts, system.structure.names

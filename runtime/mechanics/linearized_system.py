@@ -15,6 +15,7 @@ import numpy as np
 from flexel.base.arguments import index
 from flexel.base.arguments import names as checked_names
 from flexel.base.arrays import Array, ComplexArray
+from flexel.base.blas import in_one_thread
 from flexel.base.copies import Portable
 from flexel.base.errors import LinearizationError, ModelError
 from flexel.base.shown import Listing, PrintedTable, counted, listed
@@ -106,6 +107,7 @@ class LinearizedSystem(Portable):
         rolling, internal_states = (self.A_k, self.B_k), (self.Z_v, self.Z_q, self.Z_z)
         return first_order(self.M, (self.C, self.K, self.Z), rolling, internal_states)
 
+    @in_one_thread
     def eigenvalues(self) -> ComplexArray:
         """Return all eigenvalues [1/s] of the state matrix, sorted by real, then imaginary part.
 
@@ -127,6 +129,7 @@ class LinearizedSystem(Portable):
         """
         return acceleration(self.M, self.transfer.H[:, : len(self.dynamic)], self.state)
 
+    @in_one_thread
     def modes(self) -> Listing[Mode]:
         """Return the modes, one per complex pair (with positive imaginary part); sorts and warns as `eigenvalues`."""
         self._check("modes")
@@ -143,6 +146,7 @@ class LinearizedSystem(Portable):
         forces = np.hstack([self.C, self.K, self.Z])
         return corrected(spectrum(A, len(self.dynamic)), self.M, forces, A)
 
+    @in_one_thread
     def reduced(self, names: Sequence[str], tolerance: float = 1e-9) -> Reduced:
         """Reduce to second-order equations of the named dynamic degrees of freedom, checked to be decoupled.
 
@@ -157,6 +161,7 @@ class LinearizedSystem(Portable):
         check_decoupled(names, columns, np.abs(rows).max(axis=0).tolist(), tolerance)
         return Reduced(tuple(names), rows[:, i], rows[:, nd + i], rows[:, 2 * nd + i])
 
+    @in_one_thread
     def input_matrix(self, names: Sequence[str]) -> Array:
         """Return F̄ (nd, inputs): generalized forces of loads on the named coordinates, deformations or slips."""
         rows = [self.state.structure.find(name, "input") for name in checked_names(names, "inputs")]
@@ -178,6 +183,7 @@ class LinearizedSystem(Portable):
         rates = {f"{name}'": rate_unit(own[name], 1) for name in self.dynamic}
         return own | rates | {name: s.internal_units[s.internal[name]] for name in self.internal}
 
+    @in_one_thread
     def mode(self, number: int) -> Mode:
         """Return the mode of that number, from 0, in the order of `modes`.
 
@@ -193,6 +199,7 @@ class LinearizedSystem(Portable):
             )
         return modes[number]
 
+    @in_one_thread
     def mode_shape(self, number: int) -> dict[str, complex]:
         """Return displacements of all free coordinates in a mode, for pictures; at most 1 for degrees of freedom."""
         mode = self.mode(number)

@@ -5,13 +5,10 @@ written to ``out.jsonl`` at once: the same command continues from there, and pro
 """
 
 import argparse
-import os
 import secrets
 import sys
 from collections.abc import Sequence
 from pathlib import Path
-
-os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # small matrices
 
 from campaign import defaults  # noqa: E402
 from campaign.drive import Verdict  # noqa: E402
