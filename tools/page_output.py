@@ -145,14 +145,25 @@ def agrees(part: Part, printed: str) -> bool:
 def agree(shown: str, printed: str, counts_only: bool = False) -> bool:
     """Whether both have the same words, and numbers that differ by at most one unit of the last digit shown.
 
-    With `counts_only`, only whole numbers are compared.
+    Numbers after the word "about" depend on rounding, and so on the processor: they may differ by a quarter, errors
+    such as 2e-05 by a factor of three. With `counts_only`, only whole numbers are compared.
     """
     if NUMBER.sub("#", shown).split() != NUMBER.sub("#", printed).split():
         return False
-    pairs = zip(NUMBER.findall(shown), NUMBER.findall(printed), strict=True)
+    pairs = zip(NUMBER.finditer(shown), NUMBER.findall(printed), strict=True)
     return all(
-        abs(float(a) - float(b)) <= 1.01 * _unit(a) for a, b in pairs if not (counts_only and _unit(a))
+        _near(a[0], b, shown[: a.start()].endswith("about "))
+        for a, b in pairs
+        if not (counts_only and _unit(a[0]))
     )
+
+
+def _near(shown: str, printed: str, about: bool) -> bool:
+    """Whether two numbers agree, one of which a page shows."""
+    a, b = float(shown), float(printed)
+    if about and "e" in shown:
+        return a / 3.001 <= b <= 3.001 * a
+    return abs(a - b) <= max(1.01 * _unit(shown), 0.25 * abs(a) if about else 0.0)
 
 
 def _unit(number: str) -> float:

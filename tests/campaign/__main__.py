@@ -10,12 +10,12 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from campaign import defaults  # noqa: E402
-from campaign.drive import Verdict  # noqa: E402
-from campaign.families import FAMILIES  # noqa: E402
-from campaign.grammar_rides import RIDES  # noqa: E402
-from campaign.journal import Journal  # noqa: E402
-from campaign.run import run, table, written  # noqa: E402
+from campaign import defaults
+from campaign.drive import Verdict
+from campaign.families import FAMILIES
+from campaign.grammar_rides import RIDES
+from campaign.journal import Journal
+from campaign.run import run, table, written
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

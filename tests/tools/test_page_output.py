@@ -60,6 +60,11 @@ def test_every_program_is_marked_as_one(page: str) -> None:
         ("1.0", "1.0 2.0", False),
         ("beam2", "beam3", False),
         ("-0.26-3.73j", "-0.26+3.73j", False),
+        ("about 2.9 thousand, error about 2e-08", "about 3.2 thousand, error about 5e-08", True),
+        ("about 2.9 thousand", "about 3.9 thousand", False),
+        ("about 75 steps", "about 92 steps", True),
+        ("about 75 steps", "about 95 steps", False),
+        ("error about 2e-08", "error about 7e-08", False),
     ],
 )
 def test_what_is_shown_is_compared_to_its_last_digit(shown: str, printed: str, same: bool) -> None:
