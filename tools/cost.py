@@ -1,8 +1,9 @@
 """Count what small works cost, and compare with ``tools/cost.json``: a figure that grows is seen, on any machine.
 
-``python tools/cost.py`` prints the table and fails where a figure is more than 5 % above the kept one, with the functions
-that grew, or as much below it: then ``--write`` keeps the new figures. A work costs the calls of Python functions of flexel, the calls from them to
-other libraries, and the evaluations of a motion; nothing is timed. `tests/tools/test_cost.py` runs it in `make test`.
+``python tools/cost.py`` prints the table and fails where a figure is more than 5 % above the kept one, with the
+functions that grew, or as much below it: then ``--write`` keeps the new figures. A work costs the calls of Python
+functions of flexel, the calls from them to other libraries, and the evaluations of a motion; nothing is timed.
+`tests/tools/test_cost.py` runs it in `make test`.
 """
 
 from __future__ import annotations
