@@ -43,7 +43,7 @@ SETUP := pyproject.toml setup.py $(LOCK)
 SOURCES := $(SETUP) $(wildcard generated/*.[ch] runtime/engine/*.[ch] generated/build.py)
 WARNINGS := -std=c11 -O2 -fopenmp-simd -DFLEXEL_NO_CLONES -Wall -Wextra -Wpedantic -Werror -Igenerated -Iruntime/engine
 
-.PHONY: demo test test-all test-oldest test-newest upgrade landed sanitize bench report pages docs lint types check strict \
+.PHONY: demo test test-all test-oldest test-newest test-machines upgrade landed sanitize bench report pages docs lint types check strict \
   wheel venv clean prerequisites
 
 demo: $(VENV)/installed-plot
@@ -65,6 +65,10 @@ test-all:
 # With the newest versions of all packages, of which tools/lock.txt knows nothing.
 test-newest:
 	$(MAKE) test LOCK= VENV=$(VENV_NEWEST)
+
+# On what stands for other machines: kernels of BLAS for other processors, four busy processes beside the tests.
+test-machines: $(VENV)/installed-test
+	.ci/machines
 
 # The newest versions of all packages for Python 3.11 to 3.14 become those of tools/lock.txt, and the tests run with them.
 upgrade: | prerequisites
