@@ -5,9 +5,12 @@ imports ``flexel.generated``, so that it works when the compiled kernels are mis
 """
 
 import json
+import os
 import re
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
+from multiprocessing import get_all_start_methods, get_context
 from pathlib import Path
 
 from flexel.derive.declare import Element, Law
@@ -22,6 +25,8 @@ from flexel.derive.shared_object import FLAGS
 
 PACKAGE = ("__init__.py", "build.py")  # what makes `flexel.generated` of the files
 BASELINE = Path(__file__).with_name("operations.json")
+MIN_FORKED = 8  # files from which processes are worth their start
+_forked: Sequence[Element | Sequence[Law]] = ()  # what forked processes derive
 _ENTRY = re.compile(r"^    # (element|law) (\w+)\n(.*?)\n(?=    # )", re.MULTILINE | re.DOTALL)
 
 Counts = dict[str, dict[str, int]]
@@ -32,6 +37,15 @@ class Emitted:
     """Files of ``generated/`` (name to text) and the operation counts of what was derived for them."""
 
     files: dict[str, str]
+    operations: Counts
+
+
+@dataclass(frozen=True)
+class _File:
+    """One C file: its text, entries of the table, and operation counts by name of the element or law."""
+
+    text: str
+    entries: dict[str, str]
     operations: Counts
 
 
@@ -71,32 +85,57 @@ def emit(
         `folder`; those that are not there are derived as well. All laws stand in one file and are derived together.
     folder : Path, optional
     progress : callable
-        Called with each name before it is derived; with "laws" for all of them.
+        Called with each name when it has been derived; with "laws" for all of them.
     """
     kept = _entries_in(folder if only else None)
+    names = [law.name for law in laws]
+    jobs: dict[str, Element | Sequence[Law]] = {
+        element.name: element
+        for element in elements
+        if element.name not in kept["element"] or element.name in only
+    }
+    if list(kept["law"]) != names or not set(only).isdisjoint(names):
+        jobs["laws"] = laws
     files: dict[str, str] = {}
     counts: Counts = {}
-    entries: dict[str, str] = {}
-    for element in elements:
-        if element.name in kept["element"] and element.name not in only:
-            entries[element.name] = kept["element"][element.name]
-            continue
-        progress(element.name)
-        derived = derive_element(element)
-        source = element_source(element, derived)
-        files[f"{element.name}.c"] = source
-        entries[element.name] = table_entry(element_spec(element, derived, digest_of(source)))
-        counts[element.name] = _counts(derived)
-    law_entries, names = kept["law"], [law.name for law in laws]
-    if list(law_entries) != names or not set(only).isdisjoint(names):
-        progress("laws")
-        all_derived = [derive_law(law) for law in laws]
-        source = laws_source(laws, all_derived)
-        files["laws.c"] = source
-        pairs = zip(laws, all_derived, strict=True)
-        law_entries = {law.name: table_entry(law_spec(law, d, digest_of(source))) for law, d in pairs}
-        counts.update({law.name: _counts(d) for law, d in zip(laws, all_derived, strict=True)})
+    made: dict[str, str] = {}
+    for name, file in zip(jobs, _derived(list(jobs.values())), strict=True):
+        progress(name)
+        files[f"{name}.c"] = file.text
+        made.update(file.entries)
+        counts.update(file.operations)
+    entries = {element.name: made.get(element.name) or kept["element"][element.name] for element in elements}
+    law_entries = {name: made.get(name) or kept["law"][name] for name in names}
     return Emitted({**files, **_common(entries, law_entries)}, counts)
+
+
+def _derived(jobs: Sequence[Element | Sequence[Law]]) -> Iterator[_File]:
+    """Derive elements and sets of laws, several at a time in forked processes, which need no copies of definitions."""
+    if len(jobs) < MIN_FORKED or "fork" not in get_all_start_methods():
+        yield from map(_file, jobs)
+        return
+    global _forked
+    _forked = jobs
+    with ProcessPoolExecutor(os.cpu_count(), get_context("fork")) as pool:
+        yield from pool.map(_forked_file, range(len(jobs)))
+
+
+def _forked_file(i: int) -> _File:
+    return _file(_forked[i])
+
+
+def _file(job: Element | Sequence[Law]) -> _File:
+    """Derive an element, or all laws, and print the C file."""
+    if isinstance(job, Element):
+        derived = derive_element(job)
+        source = element_source(job, derived)
+        entry = table_entry(element_spec(job, derived, digest_of(source)))
+        return _File(source, {job.name: entry}, {job.name: _counts(derived)})
+    all_derived = [derive_law(law) for law in job]
+    source = laws_source(job, all_derived)
+    pairs = list(zip(job, all_derived, strict=True))
+    entries = {law.name: table_entry(law_spec(law, d, digest_of(source))) for law, d in pairs}
+    return _File(source, entries, {law.name: _counts(d) for law, d in pairs})
 
 
 def emit_page(elements: Sequence[Element], laws: Sequence[Law]) -> Emitted:

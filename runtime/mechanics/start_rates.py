@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
-from scipy.sparse import block_array, diags_array, eye_array, issparse, vstack
+from scipy.sparse import block_array, diags_array, eye_array, vstack
 
 from flexel.base.arguments import numbers
 from flexel.base.arrays import Array, Index
@@ -94,7 +94,7 @@ def _expected(
 
 def _rows(N: Any, rows: Index, scale: Array) -> Any:
     """Return rows of a matrix, relative to scales."""
-    return diags_array(1 / scale) @ N[rows] if issparse(N) else N[rows] / scale[:, None]
+    return N[rows] / scale[:, None] if isinstance(N, np.ndarray) else diags_array(1 / scale) @ N[rows]
 
 
 def _independent(kinematics: Kinematics, choice: CoordinateWork) -> tuple[Array, FewUnknowns]:
