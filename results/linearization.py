@@ -253,4 +253,6 @@ class Linearization(LinearizedSystem):
 
 def as_linearization(found: LinearizedSystem) -> Linearization:
     """Return linearized equations as a result."""
-    return Linearization(**{field.name: getattr(found, field.name) for field in fields(found)})
+    made = Linearization(**{field.name: getattr(found, field.name) for field in fields(found)})
+    object.__setattr__(made, "_changed", getattr(found, "_changed", None))
+    return made

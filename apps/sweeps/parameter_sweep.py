@@ -22,6 +22,7 @@ from flexel.apps.sweeps.points import Points, points_of
 from flexel.apps.sweeps.store import DONE, FAILED, Store
 from flexel.apps.sweeps.work import Job
 from flexel.base.arguments import flag, path_of, unknown, whole
+from flexel.base.callers import outside
 from flexel.base.errors import IncompleteWarning, ModelError
 from flexel.base.stopping import StoppedError, stopping
 from flexel.results.saved.record import require
@@ -152,7 +153,7 @@ def _reported(data: xarray.Dataset, store: Store, interrupted: bool) -> xarray.D
     elif failed and not done:
         raise ModelError(f"sweep: {message}; correct this; with a folder, call with retry_failed=True")
     elif failed:
-        warnings.warn(f"sweep: {message}", IncompleteWarning, stacklevel=3)
+        warnings.warn(f"sweep: {message}", IncompleteWarning, stacklevel=outside())
     return data
 
 

@@ -9,6 +9,7 @@ from dataclasses import replace
 from flexel.base.arguments import flag
 from flexel.base.arrays import Array
 from flexel.base.blas import in_one_thread
+from flexel.base.callers import outside
 from flexel.base.errors import IncompleteWarning, UnstableWarning
 from flexel.base.shown import Listing
 from flexel.integration.branch import Choices
@@ -90,7 +91,7 @@ def equilibrium(
         warnings.warn(
             f"equilibrium: the one found at t = {found.state.t:g} s is unstable {found.unstable}",
             UnstableWarning,
-            stacklevel=2,
+            stacklevel=outside(),
         )
     return _checked(_well_chosen(system, found.state), "equilibrium")
 
@@ -121,7 +122,7 @@ def static_path(system: CoreSystem, start: State | None = None, *, t_end: float)
     """
     states, message = load_path.static_path(system, t_end, _at(system, start, "static_path"))
     if message:
-        warnings.warn(message, IncompleteWarning, stacklevel=2)
+        warnings.warn(message, IncompleteWarning, stacklevel=outside())
     found = Integration.of_equilibria(states, message)
     path = found.states
     warn_bent(system.structure, path.times, path.deformations, path.coordinates, "static_path")

@@ -9,6 +9,7 @@ import numpy as np
 from flexel.base.arguments import positive, whole
 from flexel.base.arrays import ComplexArray
 from flexel.base.blas import in_one_thread
+from flexel.base.callers import outside
 from flexel.base.errors import IncompleteWarning, ModelError
 from flexel.integration.outcome import Integration, States
 from flexel.linear.continuation import branch
@@ -117,7 +118,7 @@ def periodic_branch(
     X, ns = first.vibration.X, first.vibration.coefficients.samples
     stations, message = branch(system, period, last, X, ns, step, most)
     if message:
-        warnings.warn(message, IncompleteWarning, stacklevel=2)
+        warnings.warn(message, IncompleteWarning, stacklevel=outside())
     found = [station.point.equations for station in stations]
     solutions = [_solution(equations.system, equations.states, equations.vibration) for equations in found]
     return PeriodicBranch(

@@ -12,6 +12,8 @@ from flexel.base.shown import PrintedTable, listed
 from flexel.integration.methods import AUTO, Options, start_of
 from flexel.integration.stiffness import ALPHA, EXPLICIT, RADAU, RIGID, limit, smooth, stiff, suitable
 from flexel.mechanics.actuation import path_of
+from flexel.mechanics.linearize import linearize
+from flexel.mechanics.steadiness import UNSTEADY, VARYING
 from flexel.system import CoreSystem
 
 # Ratio of inertias from which a system is called badly scaled: half the digits are lost.
@@ -87,9 +89,13 @@ def _speed(system: CoreSystem) -> list[tuple[str, str]]:
         suits = (
             f"{EXPLICIT} up to {longest:.3g} s, {RADAU if smooth(system) else ALPHA} for longer motions{word}"
         )
+    lin = linearize(system.kinematics, start)
+    change = lin.variation(np.array([slowest, fastest])) if lin.acceleration <= UNSTEADY else 0.0
+    varying = f"vary with time, by {change:.2g} of the largest: use periodic(…).multipliers() or along(…)"
     return [
         *uneven,
         ("eigenvalues", f"{slowest:.3g} to {fastest:.3g} 1/s in magnitude at the start"),
+        *([("coefficients", varying)] if change > VARYING else []),
         ("integrator", suits),
     ]
 

@@ -22,6 +22,7 @@ import numpy as np
 from flexel.base.arguments import array, flag, mapping, whole
 from flexel.base.arrays import Array
 from flexel.base.blas import one_thread
+from flexel.base.callers import outside
 from flexel.base.errors import FlexelError, IncompleteWarning, ModelError
 from flexel.base.progress import progress_bar
 from flexel.engine.variants import Variant
@@ -295,7 +296,7 @@ class Runner(Generic[T]):
             f"{owner}: {len(self.failed)} of {count} variants failed; number {first}: {self.failed[first]}"
         )
         if self.results:
-            warnings.warn(message, IncompleteWarning, stacklevel=4)
+            warnings.warn(message, IncompleteWarning, stacklevel=outside())
         elif first in self._errors:
             error = self._errors[first]
             raise type(error)(message if count > 1 else f"{owner}: {error}") from error

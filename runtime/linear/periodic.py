@@ -16,6 +16,7 @@ from typing import Generic, TypeVar
 import numpy as np
 
 from flexel.base.arrays import Array, ComplexArray
+from flexel.base.callers import outside
 from flexel.base.errors import FlexelError, IncompleteWarning, LinearizationError, PositionError
 from flexel.linear.families import SpeedFamily
 from flexel.linear.harmonics import (
@@ -175,7 +176,7 @@ def _cut_short(
 ) -> SpeedRange[Result]:
     """Return the results up to a speed that fails, with a warning."""
     message = f"stopped at {omega:g} rad/s: {error}"
-    warnings.warn(message, IncompleteWarning, stacklevel=3)
+    warnings.warn(message, IncompleteWarning, stacklevel=outside())
     return SpeedRange(np.array(speeds[: len(found)], dtype=float), found, message)
 
 

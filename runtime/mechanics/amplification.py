@@ -6,6 +6,7 @@ import warnings
 
 import numpy as np
 
+from flexel.base.callers import outside
 from flexel.base.errors import CoordinateWarning
 from flexel.mechanics.kinematics import Kinematics
 from flexel.model.role_lists import Roles
@@ -31,7 +32,7 @@ def warn_replaced(own: Kinematics, other: Kinematics, t: float) -> None:
         f"the degrees of freedom {mine} are nearly singular at t = {t:g} s; {theirs} are used there: name others with "
         "m.independent, or take another state",
         CoordinateWarning,
-        stacklevel=4,
+        stacklevel=outside(),
     )
 
 

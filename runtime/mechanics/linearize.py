@@ -9,6 +9,7 @@ non-holonomic constraints: a finite element approach"; Meijaard (1991).
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
@@ -20,6 +21,7 @@ from flexel.mechanics.inertia import massless
 from flexel.mechanics.kinematics import Kinematics
 from flexel.mechanics.linearized_system import LinearizedSystem
 from flexel.mechanics.transfer import GeometricTransfer
+from flexel.mechanics.variation import variation
 from flexel.model.state import State, own_state
 
 
@@ -60,6 +62,11 @@ def linearized(kinematics: Kinematics, rows: Array) -> Stack:
         if not definite(matrix[:, : roles.nd]):
             raise massless(structure, roles, matrix[:, : roles.nd])
     return Stack(kinematics, found, transfers, matrices)
+
+
+def _matrices(kinematics: Kinematics, states: Sequence[State]) -> list[tuple[Array, Array, Array]]:
+    """Return M, C and K at states."""
+    return [(lin.M, lin.C, lin.K) for lin in linearize_all(kinematics, states)]
 
 
 class Stack:
@@ -107,7 +114,7 @@ class Stack:
         kinematics = self.kinematics
         dynamic, kinematic, prescribed = kinematics.role_names
         X, T = self.transfer(i), kinematics.linearizer.derivatives(self.found, i)
-        return LinearizedSystem(
+        found = LinearizedSystem(
             **{name: block[i] for name, block in self.blocks.items()},
             **self.internal_states(X, T),
             dynamic=dynamic,
@@ -118,6 +125,9 @@ class Stack:
             transfer=X,
             derivatives=T,
         )
+        # not a field: it is neither pickled nor saved
+        object.__setattr__(found, "_changed", partial(variation, _matrices, kinematics))
+        return found
 
     def all_internal_states(self) -> dict[str, Array]:
         """Return the blocks of the laws' internal states at all states (states, …), by name."""

@@ -6,7 +6,7 @@ M̄ δq_d'' + C̄ δq_d' + K̄ δq + Z δz = F̄ δu, δq_k' = 𝒜 δq_d' + ℬ
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -32,11 +32,13 @@ from flexel.mechanics.modes import (
 )
 from flexel.mechanics.rigid import spectrum
 from flexel.mechanics.soft import Spectrum, corrected
-from flexel.mechanics.steadiness import UNSTEADY, acceleration, check_steady
+from flexel.mechanics.steadiness import UNSTEADY, acceleration, check_constant, check_steady
 from flexel.mechanics.transfer import GeometricTransfer
 from flexel.model.controller import refuse_sampled
 from flexel.model.state import State
 
+FREE = 1e-9  # size of an eigenvalue, relative to the largest, that counts as zero
+UNIT_S = 1.0  # time over which coefficients are compared where nothing vibrates [s]
 INSTEAD = (
     "between its instants the loop is open; linearize().sampled() has the eigenvalues of the closed loop"
 )
@@ -116,10 +118,11 @@ class LinearizedSystem(Portable):
         Warns
         -----
         UnsteadyWarning
-            If the state accelerates.
+            If the state accelerates, or prescribed motions let the coefficients vary in time.
         """
-        self._check("eigenvalues")
-        return sort_eigenvalues(self._spectrum()[0])
+        found = self._spectrum()
+        self._check("eigenvalues", found[0])
+        return sort_eigenvalues(found[0])
 
     @property
     def acceleration(self) -> float:
@@ -132,13 +135,31 @@ class LinearizedSystem(Portable):
     @in_one_thread
     def modes(self) -> Listing[Mode]:
         """Return the modes, one per complex pair (with positive imaginary part); sorts and warns as `eigenvalues`."""
-        self._check("modes")
-        return modes_of(self._spectrum(), self.dofs + self.internal, len(self.dynamic))
+        found = self._spectrum()
+        self._check("modes", found[0])
+        return modes_of(found, self.dofs + self.internal, len(self.dynamic))
 
-    def _check(self, owner: str) -> None:
-        """Refuse eigenvalues if a controller is sampled; warn if the state accelerates."""
+    def variation(self, values: ComplexArray) -> float:
+        """Return how much prescribed motions change M, C and K within a period of the slowest eigenvalue.
+
+        Relative to their largest entries.  Zero for equations that were pickled or read from a file, which have no
+        system any more.
+        """
+        changed: Callable[..., float] | None = getattr(self, "_changed", None)
+        if changed is None or not self.prescribed:
+            return 0.0
+        sizes = np.abs(values)
+        moving = sizes[sizes > FREE * sizes.max(initial=0.0)]
+        duration = 2 * np.pi / float(moving.min()) if moving.size else UNIT_S
+        return changed(self.state, (self.M, self.C, self.K), duration)
+
+    def _check(self, owner: str, values: ComplexArray) -> None:
+        """Refuse eigenvalues if a controller is sampled; warn if the state accelerates or coefficients vary."""
         refuse_sampled(self.state.structure.controllers, owner, INSTEAD)
-        check_steady(owner, self.acceleration, 4)
+        off = self.acceleration
+        check_steady(owner, off)
+        if off <= UNSTEADY and self.prescribed:
+            check_constant(owner, self.variation(values))
 
     def _spectrum(self) -> Spectrum:
         """Compute eigenvalues, left and right eigenvectors of the state matrix; refine small eigenvalues."""

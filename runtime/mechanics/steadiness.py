@@ -7,10 +7,12 @@ import warnings
 import numpy as np
 
 from flexel.base.arrays import Array
+from flexel.base.callers import outside
 from flexel.base.errors import UnsteadyWarning
 from flexel.model.state import State
 
 UNSTEADY = 1e-6  # residual forces, relative to the balancing forces, above which a state is not steady
+VARYING = 1e-6  # change of the matrices, relative to their largest entries, above which they vary
 SMALL = 1e-3  # accelerations that count as small if no forces act, like the tolerance of steady motions
 
 
@@ -30,14 +32,26 @@ def acceleration(M: Array, H: Array, state: State) -> float:  # noqa: N803
     return inertia / max(inertia, _largest(pulled) * _largest(H), SMALL * _largest(M), 1e-300)
 
 
-def check_steady(what: str, off: float, depth: int = 3) -> None:
+def check_steady(what: str, off: float) -> None:
     """Warn the caller of a public method about a state with that acceleration."""
     if off > UNSTEADY:
         warnings.warn(
             f"{what}: the state accelerates (its residual forces are {off:.2g} of those that balance), so these do not "
             "describe the motion that follows; linearize about system.equilibrium() or system.steady(state)",
             UnsteadyWarning,
-            stacklevel=depth,
+            stacklevel=outside(),
+        )
+
+
+def check_constant(what: str, change: float) -> None:
+    """Warn the caller of a public method about coefficients that vary by so much."""
+    if change > VARYING:
+        warnings.warn(
+            f"{what}: prescribed motions change the linearized equations by {change:.2g} of their largest coefficients "
+            "within a slow vibration, so these are eigenvalues of frozen coefficients, which do not decide stability; "
+            "take system.periodic(period=…).multipliers() or system.along(…, period=…).multipliers()",
+            UnsteadyWarning,
+            stacklevel=outside(),
         )
 
 

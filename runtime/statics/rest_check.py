@@ -7,6 +7,7 @@ import warnings
 import numpy as np
 
 from flexel.base.arrays import Array
+from flexel.base.callers import outside
 from flexel.base.errors import UnsteadyWarning
 from flexel.base.units import force_unit, rate_unit
 from flexel.integration.balance import TINY_FORCE
@@ -24,7 +25,7 @@ MOVING = (
 FREE_FREQUENCY = 1e-5
 
 
-def check_balance(owner: str, problem: Rest, q: Equations, depth: int = 4) -> None:
+def check_balance(owner: str, problem: Rest, q: Equations) -> None:
     """Warn the caller of a public method about a state that is not in equilibrium, with its worst coordinate."""
     s, first = problem.structure, problem.first
     residual = np.abs(q.residual[: s.nf])
@@ -38,11 +39,11 @@ def check_balance(owner: str, problem: Rest, q: Equations, depth: int = 4) -> No
         f"{owner}: the state is not in equilibrium: {residual[worst]:.3g} {unit} on '{s.names[first + worst]}' is not "
         "balanced, so the result does not describe what follows from it; give the state of system.equilibrium()",
         UnsteadyWarning,
-        stacklevel=depth,
+        stacklevel=outside(),
     )
 
 
-def check_rest(owner: str, problem: Rest, state: State, omega: Array, depth: int = 4) -> None:
+def check_rest(owner: str, problem: Rest, state: State, omega: Array) -> None:
     """Warn about a state that moves.
 
     Parameters
@@ -61,5 +62,5 @@ def check_rest(owner: str, problem: Rest, state: State, omega: Array, depth: int
         f"{owner}: the state moves ('{s.names[first + worst]}' at {state.v[worst]:.3g} {unit}), and these are "
         "vibrations about rest; system.linearize(state).modes() are those about the motion",
         UnsteadyWarning,
-        stacklevel=depth,
+        stacklevel=outside(),
     )
