@@ -33,7 +33,8 @@ MADE_BY_FLEXEL = {
 }  # fmt: skip
 # Methods that the parts of flexel call with checked values, and those of tuple.
 INTERNAL = {
-    "Contact.law", "Curve.parameters", "Motion.count", "Motion.index", "Points.columns", "Points.difference",
+    "Contact.law", "Curve.parameters", "Linearization.variation", "Motion.count", "Motion.index", "Points.columns",
+    "Points.difference",
     "Ramp.next_knot", "Ramp.on_knot", "System.kinematics_of", "System.kinematics_with", "System.use", "System.warm",
     "Table.next_knot", "Table.of", "Table.on_knot", "TimeVarying.count", "TimeVarying.index", "TimeVarying.linearized",
     "Waves.parameters",

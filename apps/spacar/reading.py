@@ -55,7 +55,7 @@ def read_spacar(path: str | Path, dialect: str | None = None, *, warping: str = 
     >>> file.deformation(motion[-1], 2, 2)  # doctest: +SKIP
     """
     path = path_of(path, "read_spacar")
-    if warping not in WARPING:
+    if not isinstance(warping, str) or warping not in WARPING:
         raise ModelError(
             f"read_spacar: warping {warping!r} is unknown; give {' or '.join(map(repr, WARPING))}"
         )

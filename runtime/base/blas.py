@@ -44,8 +44,12 @@ class _Limit:
         return [library.get_num_threads() for library in self._libraries]
 
     def _set(self, threads: list[int]) -> None:
+        """Set the number of threads of each library; newer threadpoolctl lets one thread of the process do so."""
         for library, number in zip(self._libraries, threads, strict=True):
+            released = getattr(library, "clear_controlling_thread", lambda force: None)
+            released(force=True)
             library.set_num_threads(number)
+            released(force=True)
 
     def renew(self) -> None:
         """Reset the lock in a forked child, where only the forking thread remains."""

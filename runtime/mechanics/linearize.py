@@ -64,9 +64,9 @@ def linearized(kinematics: Kinematics, rows: Array) -> Stack:
     return Stack(kinematics, found, transfers, matrices)
 
 
-def _matrices(kinematics: Kinematics, states: Sequence[State]) -> list[tuple[Array, Array, Array]]:
-    """Return M, C and K at states."""
-    return [(lin.M, lin.C, lin.K) for lin in linearize_all(kinematics, states)]
+def _matrices(kinematics: Kinematics, states: Sequence[State]) -> list[tuple[float, Array, Array, Array]]:
+    """Return the relative residual forces, M, C and K at states."""
+    return [(lin.acceleration, lin.M, lin.C, lin.K) for lin in linearize_all(kinematics, states)]
 
 
 class Stack:

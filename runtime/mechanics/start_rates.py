@@ -21,6 +21,7 @@ from flexel.engine.solvers import factorize, least, singular_values
 from flexel.mechanics.kinematics import Kinematics
 
 HELD = 1e-14  # softness of conditions, which may be redundant
+DEPENDENT = 1e-9  # relative size of a given rate that counts as dependent on others
 LIGHT = 1e-9  # weight of directions that a level does not concern, relative to its largest square
 SWEEPS = 4  # each reduces the error left by the weight to this share
 CONSISTENT = 1e-9  # error of a given rate, relative to the largest, above which it is contradictory
@@ -53,6 +54,9 @@ def consistent_rates(kinematics: Kinematics, choice: CoordinateWork, rates: Mapp
         work.inertia()
         qd = _expected(kinematics, choice, first, rows, wanted)
         found = rates_of(qd)
+        if not kinematics.lists.saddle:  # for the last digit of the given rates
+            found = rates_of(qd + least(choice.unit_rates(rows), wanted - found[rows], DEPENDENT))
+            qd = choice.qd.copy()
     off = np.abs(wanted - found[rows])
     scale = np.abs(np.concatenate([wanted, first, found])).max(initial=1e-12)
     if off.size and off.max() > CONSISTENT * scale:
