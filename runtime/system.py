@@ -224,7 +224,6 @@ class CoreSystem:
         x, v, e = states.located(self.kinematics, t, q, qd, near.still(t))
         return -dynamics.driving_forces(self.kinematics, t, x, v, e, guess.z, qdd)
 
-    @in_one_thread
     def linearize(self, state: State | None = None) -> LinearizedSystem:
         """Linearize analytically about a state (the initial one by default); see `System.linearize`."""
         state = self.initial if state is None else own_state(self.structure, state, "linearize")

@@ -14,6 +14,7 @@ from flexel.integration.stiffness import ALPHA, EXPLICIT, RADAU, RIGID, limit, s
 from flexel.mechanics.actuation import path_of
 from flexel.mechanics.linearize import linearize
 from flexel.mechanics.steadiness import UNSTEADY, VARYING
+from flexel.model.state import State
 from flexel.system import CoreSystem
 
 # Ratio of inertias from which a system is called badly scaled: half the digits are lost.
@@ -89,8 +90,7 @@ def _speed(system: CoreSystem) -> list[tuple[str, str]]:
         suits = (
             f"{EXPLICIT} up to {longest:.3g} s, {RADAU if smooth(system) else ALPHA} for longer motions{word}"
         )
-    lin = linearize(system.kinematics, start)
-    change = lin.variation(np.array([slowest, fastest])) if lin.acceleration <= UNSTEADY else 0.0
+    change = _variation(system, start, np.array([slowest, fastest])) if system.roles.motions else 0.0
     varying = f"vary with time, by {change:.2g} of the largest: use periodic(…).multipliers() or along(…)"
     return [
         *uneven,
@@ -98,6 +98,12 @@ def _speed(system: CoreSystem) -> list[tuple[str, str]]:
         *([("coefficients", varying)] if change > VARYING else []),
         ("integrator", suits),
     ]
+
+
+def _variation(system: CoreSystem, start: State, values: Array) -> float:
+    """Return how much prescribed motions change the linearized equations within a slow vibration from the start."""
+    lin = linearize(system.kinematics, start)
+    return lin.variation(values) if lin.acceleration <= UNSTEADY else 0.0
 
 
 def _uneven(system: CoreSystem, inertia: Array) -> list[tuple[str, str]]:

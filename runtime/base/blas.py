@@ -7,9 +7,9 @@ Every analysis that a user calls is one of these: `in_one_thread` stands at its 
 
 from __future__ import annotations
 
+import ctypes
 import os
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from functools import cached_property, wraps
 from threading import Lock, local
 from typing import Any, ParamSpec, TypeVar
@@ -18,65 +18,86 @@ from threadpoolctl import ThreadpoolController
 
 P = ParamSpec("P")
 R = TypeVar("R")
+Getter = Callable[[], int]
+Setter = Callable[[int], Any]
+# Of OpenBLAS in wheels.
+AFFIXES = [(prefix, suffix) for prefix in ("", "scipy_") for suffix in ("", "64_", "_64")]
+
+
+def _functions(library: Any) -> tuple[Getter, Setter]:
+    """Return the functions that read and set the number of threads of a library.
+
+    Those of threadpoolctl look for the names of OpenBLAS in each call, which takes 0.02 ms, and newer ones let only one
+    thread of the process set the number.
+    """
+    for prefix, suffix in AFFIXES:
+        names = [f"{prefix}openblas_{what}_num_threads{suffix}" for what in ("get", "set")]
+        if library.internal_api == "openblas" and all(hasattr(library.dynlib, name) for name in names):
+            own = ctypes.PyDLL(library.filepath)  # keeps the interpreter's lock in such short calls
+            return getattr(own, names[0]), getattr(own, names[1])
+    return library.get_num_threads, library.set_num_threads
 
 
 class _Limit:
-    """A limit of one thread, in force from the first caller that enters it until the last one leaves."""
+    """A limit of one thread, in force from the first thread that enters it until the last one leaves."""
 
     def __init__(self) -> None:
         self._lock = Lock()
-        self._users = 0
-        self._here = local()  # number of callers in this thread
+        self._users = 0  # threads within it
+        self._here = local()  # how often this thread has entered it
         self._before: list[int] = []  # threads of each library outside
 
     @cached_property
-    def _libraries(self) -> list[Any]:
-        """The libraries loaded at first use, listed once: this takes 8 ms, and a limit takes 0.002 ms."""
-        return [library for library in ThreadpoolController().lib_controllers if library.user_api == "blas"]
+    def _libraries(self) -> list[tuple[Getter, Setter]]:
+        """The libraries loaded at first use, listed once: this takes 8 ms, and a limit a few microseconds."""
+        found = ThreadpoolController().lib_controllers
+        return [_functions(library) for library in found if library.user_api == "blas"]
 
     @property
     def active(self) -> bool:
-        """Whether a caller has entered it."""
+        """Whether a thread has entered it."""
         return self._users > 0
 
     def threads(self) -> list[int]:
         """Return the number of threads of each library."""
-        return [library.get_num_threads() for library in self._libraries]
-
-    def _set(self, threads: list[int]) -> None:
-        """Set the number of threads of each library; newer threadpoolctl lets one thread of the process do so."""
-        for library, number in zip(self._libraries, threads, strict=True):
-            released = getattr(library, "clear_controlling_thread", lambda force: None)
-            released(force=True)
-            library.set_num_threads(number)
-            released(force=True)
+        return [read() for read, _ in self._libraries]
 
     def renew(self) -> None:
         """Reset the lock in a forked child, where only the forking thread remains."""
         self._lock = Lock()
-        self._users = getattr(self._here, "users", 0)
+        self._users = int(getattr(self._here, "users", 0) > 0)
 
-    @contextmanager
-    def __call__(self) -> Iterator[None]:
-        """Run BLAS in the calling thread within this context; restore the earlier setting afterwards."""
-        with self._lock:
-            if not self._users:
-                self._before = self.threads()
-                self._set([1] * len(self._before))
-            self._users += 1
-        self._here.users = getattr(self._here, "users", 0) + 1
-        try:
-            yield
-        finally:
-            self._here.users -= 1
+    def __enter__(self) -> None:
+        """Run BLAS in the calling thread."""
+        users = self._here.__dict__.get("users", 0)
+        if not users:
+            with self._lock:
+                if not self._users:
+                    self._before = self.threads()
+                    for (_, write), number in zip(self._libraries, self._before, strict=True):
+                        if number != 1:
+                            write(1)
+                self._users += 1
+        self._here.users = users + 1
+
+    def __exit__(self, *exception: object) -> None:
+        """Restore the earlier setting when the last thread leaves."""
+        self._here.users -= 1
+        if not self._here.users:
             with self._lock:
                 self._users -= 1
                 if not self._users:
-                    self._set(self._before)
+                    for (_, write), number in zip(self._libraries, self._before, strict=True):
+                        if number != 1:
+                            write(number)
 
 
 LIMIT = _Limit()
-one_thread = LIMIT.__call__
+
+
+def one_thread() -> _Limit:
+    """Return the limit as a context, in which BLAS runs in the calling thread."""
+    return LIMIT
 
 
 def in_one_thread(function: Callable[P, R]) -> Callable[P, R]:
@@ -84,7 +105,7 @@ def in_one_thread(function: Callable[P, R]) -> Callable[P, R]:
 
     @wraps(function)
     def limited(*args: P.args, **options: P.kwargs) -> R:
-        with LIMIT():
+        with LIMIT:
             return function(*args, **options)
 
     return limited

@@ -19,7 +19,7 @@ from scipy.sparse.csgraph import connected_components
 
 from flexel.base.arguments import names as checked_names
 from flexel.base.arrays import Array, Index
-from flexel.base.blas import one_thread
+from flexel.base.blas import in_one_thread
 from flexel.base.errors import ConstraintError, ModelError
 from flexel.base.null_space import null_space
 from flexel.base.shown import quoted
@@ -123,7 +123,7 @@ def named_dofs(structure: Structure, names: Sequence[str] | None, owner: str) ->
     return found
 
 
-@one_thread()
+@in_one_thread
 def choose_dofs(kinematics: Kinematics, J: Array, dynamic: Index | None, kinematic: Index | None) -> Roles:
     """Return roles with all degrees of freedom: those named by the user, checked, or an automatic choice.
 

@@ -139,7 +139,7 @@ class LinearizedSystem(Portable):
         self._check("modes", found[0])
         return modes_of(found, self.dofs + self.internal, len(self.dynamic))
 
-    def variation(self, values: ComplexArray) -> float:
+    def variation(self, values: Array | ComplexArray) -> float:
         """Return how much prescribed motions change M, C and K within a period of the slowest eigenvalue.
 
         Relative to their largest entries.  Zero for equations that were pickled or read from a file, which have no
