@@ -154,10 +154,11 @@ class Browser(ABC):
 
     def wait(self, condition: str) -> None:
         """Wait until a JavaScript expression is true."""
-        deadline = time.monotonic() + PATIENCE
+        deadline, pause = time.monotonic() + PATIENCE, 0.002
         while not self.value(condition):
             assert time.monotonic() < deadline, f"never true: {condition}; {self.complaints}"
-            time.sleep(0.05)
+            time.sleep(pause)
+            pause = min(2 * pause, 0.05)
 
     def frame(self) -> None:
         """Wait until the requested drawing is complete."""

@@ -16,22 +16,19 @@ os.environ.setdefault("MPLBACKEND", "Agg")
 SEED = "FLEXEL_CAMPAIGN_SEED"  # of the random models; workers of pytest have that of the process that starts them
 os.environ.setdefault(SEED, str(secrets.randbelow(10**6)))
 
-LONGEST = (  # files of more than seven seconds: begun first, so that all workers end at the same time
-    "test_docs_built.py",
+LONGEST = (  # files of more than ten seconds: begun first, so that all workers end at the same time
+    "derive/test_verify.py",
     "view/test_view_browser.py",
     "view/test_view_parts.py",
-    "systems/test_rope_problems.py",
-    "derive/test_verify.py",
-    "campaign/test_campaign.py",
-    "sweeps/test_workers.py",
+    "test_docs_built.py",
+    "parts/test_varied_parts.py",
     "integration/test_branches.py",
     "test_docs.py",
-    "systems/test_slider_crank.py",
-    "systems/test_beam_problems.py",
-    "systems/test_hoist.py",
-    "systems/test_cardan.py",
-    "systems/test_vehicle.py",
-    "rope/test_rope_laying.py",
+    "parts/test_rope_laying.py",
+    "integration/test_change_points.py",
+    "integration/test_flat_positions.py",
+    "analyses/test_elastic_parameters.py",
+    "parts/test_helical_drums.py",
     "sweeps/test_folder.py",
 )
 RANK = {f"tests/{file}": i for i, file in enumerate(LONGEST)}
@@ -70,6 +67,15 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
 def checkout() -> Path:
     """Return the root of the checkout."""
     return Path(__file__).resolve().parent.parent
+
+
+@pytest.fixture(scope="module")
+def cache(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Path]:
+    """An empty cache for a file of tests: what users compile is derived, compiled and verified here."""
+    folder = tmp_path_factory.mktemp("cache")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("XDG_CACHE_HOME", str(folder))
+        yield folder / "flexel"
 
 
 @pytest.fixture(scope="module", params=browsers.NAMES)

@@ -5,11 +5,14 @@ import re
 import numpy as np
 import pytest
 from filling import DOCS
+from longer import longer
 from page_output import agrees
 from page_programs import PAGES, WITHOUT, ran
 
+RUN = sorted({*PAGES} - {*WITHOUT, "adding-an-element.md"})
 
-@pytest.mark.parametrize("page", sorted({page for page in PAGES} - {*WITHOUT, "adding-an-element.md"}))
+
+@pytest.mark.parametrize("page", longer(RUN, "concepts.md", "control.md", "vehicles.md"))
 def test_the_program_of_a_page_runs_and_prints_what_the_page_shows(page: str) -> None:
     for package in ("matplotlib", "xarray", "joblib", "gymnasium", "control"):
         pytest.importorskip(package, reason="pages use everything optional: pip install 'flexel[test]'")
@@ -34,6 +37,7 @@ def test_the_bicycle_of_the_readme_rides() -> None:
         assert digits in next(out for part, out in found.printed if "kick.png" in part.code)
 
 
+@pytest.mark.long
 def test_the_program_of_the_page_on_control_steadies_the_rod() -> None:
     """Upright and falling at first, then at rest and upright with a controller; sampled too, unless too late."""
     pytest.importorskip("control", reason="the page uses python-control: pip install 'flexel[control]'")
@@ -54,6 +58,7 @@ def test_the_programs_of_the_page_on_variants_run() -> None:
     assert names["many"].M.shape == (20, 1, 1) and names["loci"].stable.all()
 
 
+@pytest.mark.long
 def test_the_car_and_the_winch_do_what_their_pages_say() -> None:
     """The car turns as the single-track model does, but for its roll; the winch lifts by what it winds up."""
     pytest.importorskip("matplotlib", reason="the pages draw with matplotlib: pip install 'flexel[plot]'")

@@ -41,7 +41,8 @@ FACE = Rational(6, 5)  # half the length of a face as drawn, relative to the lar
 def _drawn(p: Node, q: Node, cam: tuple[Matrix, ...], follower: tuple[Matrix, ...]) -> tuple[Output, ...]:
     """The outline of the cam, the envelope of its tangents; the face; and the frames that carry them."""
     slopes, across = at_knots(1), zeros(p.size, 1)
-    across[1] = FACE * Max(*(Abs(slope) for slope in slopes))
+    # not evaluated: to find out that none of them is always the largest, SymPy needs half a minute
+    across[1] = FACE * Max(*(Abs(slope) for slope in slopes), evaluate=False)
     face = Matrix.hstack(-across, across).T
     return (
         *drawn_profile(p.size, ("origin_p", "axes_p"), at_knots(), slopes),

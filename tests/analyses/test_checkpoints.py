@@ -198,6 +198,7 @@ simulate = {"duration": 120.0, "samples": 41, "method": "RK45"}
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_a_killed_command_goes_on(tmp_path: Path) -> None:
     """`flexel run --checkpoint`, killed for good at some moment after its first checkpoint."""
     model = tmp_path / "swing.py"

@@ -30,6 +30,7 @@ def silent(found: dict[str, Any]) -> set[str]:
     return {entry["name"] for entry in found["silent"]}
 
 
+@pytest.mark.long
 def test_every_family_and_every_trait_is_drawn() -> None:
     assert list(RIDES) == [*FAMILIES, *HARD]
     some = [*rides(0).values(), *rides(1).values()]

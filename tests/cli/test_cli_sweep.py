@@ -10,6 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from click.testing import CliRunner, Result
+from longer import longer
 
 import flexel as fx
 from flexel.apps.cli.main import main
@@ -116,7 +117,9 @@ def test_bad_files_are_answered_in_one_line(study: Path, change: tuple[str, str]
     assert re.search(message, result.output) and "Traceback" not in result.output
 
 
-@pytest.mark.parametrize(("number", "status"), [(signal.SIGINT, 130), (signal.SIGKILL, -9)])
+@pytest.mark.parametrize(
+    ("number", "status"), longer([(signal.SIGINT, 130), (signal.SIGKILL, -9)], (signal.SIGINT, 130))
+)
 def test_what_was_interrupted_or_killed_is_continued(tmp_path: Path, number: int, status: int) -> None:
     """Ctrl-C reaches all processes of the terminal, a kill only the command."""
     file, out = tmp_path / "many.py", tmp_path / "many"

@@ -147,6 +147,7 @@ def test_the_baseline_is_rewritten_in_the_order_of_the_elements(
     assert list(emitting.baseline().items()) == [("truss", {"position": 1}), ("hinge", {"position": 3})]
 
 
+@pytest.mark.long  # as `make strict` in make test-all for all files
 @pytest.mark.parametrize("flags", [(), ("-Dreal=double complex",)], ids=["double", "complex"])
 def test_the_c_is_clean(few: Emitted, tmp_path: Path, flags: tuple[str, ...]) -> None:
     write(tmp_path, few)

@@ -6,6 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from click.testing import CliRunner
+from longer import longer
 from mechanisms import heavy_top
 from scipy.integrate import simpson
 
@@ -18,9 +19,7 @@ METHODS = ("DOP853", "Radau", "RK45", "BDF", "LSODA")  # in minimal coordinates
 E, ED = symbol("e"), symbol("ed")
 
 
-@pytest.fixture(autouse=True)
-def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+pytestmark = pytest.mark.usefixtures("cache")
 
 
 def pendulum() -> fx.System:
@@ -73,7 +72,7 @@ def busy() -> fx.System:
     return m.build()
 
 
-@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("method", longer(METHODS, "RK45", "BDF", "LSODA"))
 def test_drives_loads_and_dampers_are_in_the_balance(method: str) -> None:
     """The energy that moves is what they supply and take out, from the stored states by Simpson's rule."""
     motion = busy().simulate(4.0, method=method, rtol=1e-9, samples=4001)
@@ -138,7 +137,7 @@ def damped(loops: int) -> fx.System:
 @pytest.mark.parametrize(
     ("method", "rtol", "bound"), [("DOP853", 1e-9, 1e-8), ("Radau", 1e-8, 1e-7), ("LSODA", 1e-10, 1e-7)]
 )
-@pytest.mark.parametrize("loops", [2, 3])
+@pytest.mark.parametrize("loops", longer([2, 3], 3))
 def test_motions_across_change_points_are_balanced(
     loops: int, method: str, rtol: float, bound: float
 ) -> None:

@@ -140,6 +140,7 @@ def test_knots_of_tables_are_steps_of_every_method() -> None:
     assert chosen(masses(1e8), 4.0)[0] == "Radau"
 
 
+@pytest.mark.long
 def test_large_models_count_as_stiff_earlier() -> None:
     """A steel wire of 1 m with 180 degrees of freedom that starts to sag, beside one with 15; all of it vibrates."""
 

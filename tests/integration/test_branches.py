@@ -93,6 +93,7 @@ def test_the_reference_over_all_coordinates_keeps_energy_and_constraints(family:
 
 
 @pytest.mark.parametrize("number", [0, 5, 11])
+@pytest.mark.long
 def test_the_reference_past_a_change_point_is_sharp(number: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """No coordinates are good there; with steps for 1e-10 it is the same."""
     found = case("change-point", number)

@@ -39,12 +39,12 @@ RATES = (-1.3, 0.4, 2.7, -5.0)
 
 
 def cases() -> list[Any]:
-    """One motion of each linkage always, the others in the campaign."""
+    """One motion of every second linkage always, of the others in `make test-all`, the rest in the campaign."""
     found = []
     for number, name in enumerate(EVERY):
         for i, (method, options, bound) in enumerate(BOUNDS):
             for j, rate in enumerate(RATES):
-                marks = [] if i == j == number % 4 else ALL
+                marks = ([pytest.mark.long] if number % 2 else []) if i == j == number % 4 else ALL
                 found.append(pytest.param(name, method, options, bound, rate, marks=marks))
     return found
 

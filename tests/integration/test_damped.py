@@ -14,9 +14,7 @@ METHOD = "generalized-alpha"
 E, ED, U, V, C = (symbol(name) for name in ("e", "ed", "u", "v", "c"))
 
 
-@pytest.fixture(autouse=True)
-def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+pytestmark = pytest.mark.usefixtures("cache")
 
 
 def law(name: str, parameter: Parameter, stress: object, *states: Internal) -> CompiledLaw:

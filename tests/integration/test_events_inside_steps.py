@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from longer import longer
 from scipy.special import ellipk
 
 import flexel as fx
@@ -41,7 +42,7 @@ def swinging() -> fx.System:
     return m.build()
 
 
-@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("method", longer(METHODS, "RK45", "BDF", "LSODA"))
 @pytest.mark.parametrize("width", [1e-2, 1e-5])
 def test_every_passage_of_a_light_gate_is_seen(method: str, width: float) -> None:
     """A pendulum enters and leaves the gate once in each half of its period; its period is a closed form."""

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from longer import longer
 from scipy.integrate import solve_ivp
 
 import flexel as fx
@@ -37,7 +38,7 @@ def exact(loops: int, speed: float, times: Array) -> Array:
     return np.asarray(found.y[0])
 
 
-@pytest.mark.parametrize("loops", [1, 2, 3, 5, 8, 15])
+@pytest.mark.parametrize("loops", longer([1, 2, 3, 5, 8, 15], 5, 8, 15))
 @pytest.mark.parametrize("options", [{}, {"rtol": 1e-6}, {"rtol": 1e-10}])
 def test_parallelograms_in_series_keep_one_angle_through_flat_positions(
     loops: int, options: dict[str, float]
@@ -54,7 +55,7 @@ def test_parallelograms_in_series_keep_one_angle_through_flat_positions(
             assert motion[f"A{i}.y"] == pytest.approx(np.sin(angle), abs=5e-3), (speed, i)
 
 
-@pytest.mark.parametrize("loops", [2, 3])
+@pytest.mark.parametrize("loops", longer([2, 3], 3))
 def test_lanes_pass_flat_positions_as_single_motions_do(loops: int) -> None:
     system, speeds, times = series(loops), np.linspace(0.3, 2.0, 16), np.linspace(0, DURATION, 11)
     many = system.simulate_many(

@@ -185,6 +185,7 @@ def test_energy_is_balanced_for_implicit_motions_only() -> None:
         motion.energy_balance()
 
 
+@pytest.mark.long
 def test_storage_of_a_large_model_grows_linearly_with_its_elements() -> None:
     peaks = []
     for n in (80, 320):

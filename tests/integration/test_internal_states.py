@@ -1,7 +1,5 @@
 """Laws with internal states: a Maxwell element beside the solution of its linear equations."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 from scipy.linalg import expm
@@ -16,9 +14,7 @@ from flexel.mechanics.modes import sort_eigenvalues
 K, LAG, MASS = 50.0, 0.3, 2.0
 
 
-@pytest.fixture(autouse=True)
-def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+pytestmark = pytest.mark.usefixtures("cache")
 
 
 def maxwell(cubic: float = 0.0, driven: float = 0.0) -> CompiledLaw:

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from longer import longer
 from scipy.integrate import solve_ivp
 
 import flexel as fx
@@ -91,7 +92,7 @@ def test_an_oblique_impulse_keeps_the_momentum_that_the_constraints_leave() -> N
     assert [motion[-1].rate("B.x"), motion[-1].rate("B.y")] == pytest.approx([0.5, -0.5], abs=1e-5)
 
 
-@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("method", longer(METHODS, *BACKWARD))
 @pytest.mark.parametrize("samples", [2, 11, 60, 401])
 def test_an_impulse_does_not_depend_on_what_is_stored(method: str, samples: int) -> None:
     """With stored states close before the jump its directions were those of the last of them: 3 % of the rates off."""

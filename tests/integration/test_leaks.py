@@ -38,6 +38,7 @@ def tyred() -> fx.System:
 
 
 @pytest.mark.parametrize("make", [bicycle, tyred])
+@pytest.mark.long
 def test_100_000_evaluations_lose_nothing(make: Callable[[], fx.System]) -> None:
     """Positions, velocities and accelerations; a leak of one number each would be 0.8 MB."""
     system = make()
@@ -54,6 +55,7 @@ def test_100_000_evaluations_lose_nothing(make: Callable[[], fx.System]) -> None
 
 
 @pytest.mark.parametrize("builds", [BUILDS // 4, pytest.param(BUILDS, marks=pytest.mark.campaign)])
+@pytest.mark.long
 def test_many_builds_lose_nothing(builds: int) -> None:
     """Models, tables, workspaces, factors and linearizations are all given back."""
 

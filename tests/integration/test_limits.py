@@ -87,6 +87,7 @@ def sunk(depth: float) -> fx.System:
     return m.build()
 
 
+@pytest.mark.long
 def test_a_rope_that_leaves_its_sheave_is_named() -> None:
     """It is straight when the sheave has sunk by 22 mm, the height by which it was held up."""
     with pytest.warns(fx.AuditWarning, match=r"rope 'rope' has left 'S' at t = 0\.0\d+ s: no point") as said:

@@ -32,6 +32,7 @@ def test_an_implicit_motion_of_many_steps_needs_no_more_memory() -> None:
     assert memory_in_use() < before + SLACK
 
 
+@pytest.mark.long
 def test_an_explicit_motion_keeps_its_steps_and_nothing_else() -> None:
     """They are kept for `Motion.at`; another motion uses the same memory again."""
     system = pendulum()

@@ -1,7 +1,6 @@
 """Radau IIA of order 5: order, stiff models, dense output, and what costs it no steps."""
 
 import pickle
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -26,9 +25,7 @@ W = 2.0  # of the oscillator [rad/s]
 AMPLITUDE = 0.25  # [m]
 
 
-@pytest.fixture(autouse=True)
-def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+pytestmark = pytest.mark.usefixtures("cache")
 
 
 def along_x(length: float = 1.0) -> fx.Model:
@@ -211,6 +208,7 @@ def test_van_der_pols_oscillation_has_the_error_of_its_tolerance_in_few_steps() 
     assert steps[1e-6] < explicit.statistics["steps"] / 4
 
 
+@pytest.mark.long
 def test_a_stiff_bar_does_not_limit_the_steps() -> None:
     """The swing of a pendulum on it, against DOP853, whose steps are limited by the stability of its vibration."""
     s = pendulum()
@@ -281,6 +279,7 @@ def test_a_bicycle_rolls_as_with_the_other_method() -> None:
         assert np.max(np.abs(found - exact) / np.ptp(exact, axis=0).max()) < 20 * rtol
 
 
+@pytest.mark.long
 def test_a_flexible_crank_that_is_driven() -> None:
     """Two beams turned by a prescribed angle: against DOP853, whose steps their longitudinal vibration limits."""
     m = fx.Model(gravity=(0, -9.81))

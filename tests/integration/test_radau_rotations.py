@@ -140,6 +140,7 @@ def in_bearings(damping: float) -> fx.System:
     return m.build()
 
 
+@pytest.mark.long
 def test_a_rotor_in_stiff_bearings() -> None:
     """300 rad against DOP853; errors of 1.8 and 7e-3 of its Euler parameters at 1e-3 and 1e-6 before.
 
@@ -180,6 +181,7 @@ def shaft(count: int) -> fx.System:
     return m.build()
 
 
+@pytest.mark.long
 def test_a_shaft_of_beams_that_spins() -> None:
     """15 rad with frames of which three Euler parameters are degrees of freedom; 11090 evaluations before at 1e-6."""
     system = shaft(8)

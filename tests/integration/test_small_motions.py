@@ -1,7 +1,5 @@
 """Motions that are small beside the machine are as exact as large ones, and rest takes few steps."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
@@ -13,12 +11,10 @@ import flexel as fx
 W = 30.0  # of the oscillator [rad/s]
 SMALL = "this motion is small beside the model: coordinates are rounded to .* rates cannot be known to rtol = 1e-09"
 
-pytestmark = pytest.mark.filterwarnings("ignore:.*this motion is small beside the model")
-
-
-@pytest.fixture(autouse=True)
-def cache(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+pytestmark = [
+    pytest.mark.filterwarnings("ignore:.*this motion is small beside the model"),
+    pytest.mark.usefixtures("cache"),
+]
 
 
 def slider(start: float, place: float = 0.1, damping: float = 0.0) -> fx.Model:
@@ -133,6 +129,7 @@ def test_a_mass_on_a_law_with_states_is_as_exact_as_with_a_large_motion() -> Non
     np.testing.assert_allclose(found[1], found[0], atol=1e-7)
 
 
+@pytest.mark.long
 def test_rest_takes_few_steps() -> None:
     """Exactly at rest, and at an equilibrium that rounding disturbs."""
     motion = slider(0.0).build().simulate(100.0, samples=2, method="DOP853")

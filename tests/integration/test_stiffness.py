@@ -60,6 +60,7 @@ def test_the_look_changes_nothing_of_the_motion(monkeypatch: pytest.MonkeyPatch)
         assert np.array_equal(seen.series(name)[0], plain.series(name)[0])
 
 
+@pytest.mark.long
 def test_events_are_named_where_they_are_in_the_way(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(stiffness, "STIFF", 1.0)
     monkeypatch.setattr(stiffness, "LOOK", 50)

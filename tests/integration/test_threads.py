@@ -7,6 +7,7 @@ from threading import Barrier
 
 import numpy as np
 import pytest
+from longer import longer
 from mechanisms import slider_crank
 from scipy.integrate._ode import lsoda
 from wheels import MAGIC, MAGIC_ON, H, K, wheel
@@ -113,7 +114,7 @@ else:
     print("LSODA of this SciPy integrates one motion at a time: it is left out of the tests of threads")
 
 
-@pytest.mark.parametrize("name", SYSTEMS)
+@pytest.mark.parametrize("name", longer(SYSTEMS, "turning", "hanging", "steered"))
 def test_threads_compute_the_same_digits_as_one_after_another(name: str) -> None:
     """Each thread has another order of tasks; the system, its tables included, is new to all of them."""
     tasks = {method: simulated(name, method) for method in METHODS} | {

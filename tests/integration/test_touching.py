@@ -128,6 +128,7 @@ def over_a_sheave() -> fx.Model:
     return m
 
 
+@pytest.mark.long
 def test_steps_end_where_points_of_a_rope_begin_to_touch() -> None:
     """3 rtol of the largest range of a rate at most; with steps across such instants 0.6 to 7, by chance."""
     system = over_a_sheave().build()
@@ -137,6 +138,7 @@ def test_steps_end_where_points_of_a_rope_begin_to_touch() -> None:
         assert np.max(np.abs(found - exact)) < 3 * rtol * np.max(np.ptp(exact, axis=0))
 
 
+@pytest.mark.long
 def test_a_stiff_motion_with_contacts_is_tried_by_radau() -> None:
     """A hard damper on the rope: generalized-alpha, which was taken, is off by 2 % of the largest rate."""
     m = over_a_sheave()

@@ -37,6 +37,7 @@ def test_a_runaway_is_stopped_with_the_motion_so_far_and_what_moves_fastest() ->
     assert np.abs(motion.rate("motor.angle")).max() > 100
 
 
+@pytest.mark.long
 def test_a_runaway_in_coordinates_and_multipliers_is_stopped_too() -> None:
     """Its degrees of freedom do not change; its steps alone are too many."""
     with pytest.raises(fx.DynamicsError, match=r"has all but stopped"):

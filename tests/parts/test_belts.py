@@ -83,6 +83,7 @@ def test_a_closed_belt_has_no_dead_turns() -> None:
         laid(pulleys(), turns=1)
 
 
+@pytest.mark.long
 def test_creep_and_tensions_of_a_coarse_belt_are_those_of_the_closed_form_to_its_order() -> None:
     creep, tension = belts.errors(belts.MESHES[0])
     assert creep < 0.1

@@ -93,6 +93,7 @@ def test_variants_equal_models_built_anew(name: str) -> None:
         np.testing.assert_array_equal(variant.parameters[name], np.ravel(value))
 
 
+@pytest.mark.long
 def test_motions_of_variants_are_those_of_models_built_anew() -> None:
     s = frame().build()
     values = [0.4, 0.7]

@@ -70,6 +70,7 @@ def test_the_energy_found_for_a_formula_is_its_closed_integral(
     assert outputs(found, -at)[1] == pytest.approx(energy(-at), rel=1e-14, abs=1e-300)
 
 
+@pytest.mark.long
 def test_an_integral_without_elementary_functions_is_quadrature_over_the_range() -> None:
     found = formula_law("law", lambda e: sympy.exp(-(e**2)), ranges={"e": (-2.0, 2.0)})
     for at in (-1.9, -0.3, 0.0, 1.5):

@@ -172,6 +172,7 @@ def test_unknown_sheave_of_a_result_is_named(resting: tuple[fx.State, Rope]) -> 
         rope.contact_force(state, "T")
 
 
+@pytest.mark.long
 def test_motion_that_cannot_go_on_is_kept_and_can_be_started_from_again() -> None:
     """Ends that are drawn apart without bound: the axle's load grows beyond all numbers; the motion stays."""
     m, _ = over_a_sheave()

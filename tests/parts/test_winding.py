@@ -1,7 +1,5 @@
 """Deformations that wind: many turns, each counted, whatever the length after which they repeat."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 import sympy as sp
@@ -10,10 +8,7 @@ from numpy.testing import assert_allclose
 import flexel as fx
 from flexel.derive import Deformation, Element, Frame, Parameter, Point
 
-
-@pytest.fixture(autouse=True)
-def cache(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+pytestmark = pytest.mark.usefixtures("cache")
 
 
 def screw() -> Element:

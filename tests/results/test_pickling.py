@@ -65,6 +65,7 @@ print(figures(given[{names.index("system")}]))
     assert figures == travellers.figures(sent(made("system")))
 
 
+@pytest.mark.long
 def test_an_ensemble_runs_in_another_process_and_its_motions_come_back() -> None:
     systems = []
     for value in (0.1, 0.2):

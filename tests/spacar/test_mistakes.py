@@ -19,6 +19,7 @@ def judge(chosen: Sequence[Mistake], folder: Path) -> None:
     assert not wrong, f"{len(wrong)} of {len(chosen)} files with mistakes:\n{listed}"
 
 
+@pytest.mark.long
 def test_a_sample_of_files_with_mistakes_ends_in_results_or_messages(tmp_path: Path) -> None:
     judge(cases(8), tmp_path)
 

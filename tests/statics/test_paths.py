@@ -52,6 +52,7 @@ def test_a_path_passes_every_fold_in_long_steps_as_in_short_ones(
 
 
 @COARSE_MESH
+@pytest.mark.long
 def test_a_symmetric_arch_stays_symmetric_where_curves_cross() -> None:
     path = arch(0.1, 300.0, 0.0).static_path(t_end=660.0)
     assert path.message == ""

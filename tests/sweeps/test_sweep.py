@@ -32,6 +32,7 @@ def test_a_grid_is_labelled_and_its_numbers_are_right(serial: Any) -> None:
     assert (serial.failed == "").all() and serial.attrs["message"] == "6 of 6 points computed"
 
 
+@pytest.mark.long
 def test_digits_do_not_depend_on_executor_or_chunks(serial: Any) -> None:
     executors: list[tuple[Any, int | None]] = [(None, None), (None, 1), ("joblib", 4), ("serial", 5)]
     for executor, chunk in executors:

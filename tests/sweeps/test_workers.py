@@ -34,12 +34,14 @@ def test_a_point_that_kills_its_worker_is_named_and_the_rest_kept() -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_if_all_workers_die_the_sweep_says_so() -> None:
     with pytest.raises(fx.FlexelError, match=r"all workers die, the last one at a = .*executor='serial'"):
         fx.sweep(lethal, {"a": [1.0, 2.0, 3.0, 4.0]}, numbers, workers=2)
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_an_executor_of_the_user_that_breaks_down_is_not_replaced(tmp_path: Path) -> None:
     """But one that a function makes is; and what was computed is in the folder."""
     points = {"a": [0.0, 1.0, 2.0, 4.0, 3.0, 5.0, 6.0, 7.0, 8.0, 9.0]}
@@ -73,6 +75,7 @@ def client() -> Iterator[Any]:
 
 
 @pytest.mark.filterwarnings("default")
+@pytest.mark.long
 def test_a_cluster_gives_the_digits_of_one_process(client: Any) -> None:
     axes = {"length": [0.3, 0.5, 0.8], "mass": [1.0, 2.0]}
     found = fx.sweep(pendulum, axes, swing, executor=client)

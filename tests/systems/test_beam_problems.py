@@ -60,6 +60,7 @@ def test_the_elastica_converges_with_the_second_order(load: float) -> None:
     assert order(errors) == pytest.approx(2.0, abs=0.02)
 
 
+@pytest.mark.long
 def test_second_order_terms_save_elements_in_lateral_buckling() -> None:
     def error(second_order: bool) -> Any:
         return lambda n: abs(static.lateral_factor(n, second_order) / data.LATERAL_FACTOR - 1)

@@ -69,6 +69,7 @@ def test_measured_bicycles_are_those_of_the_file(whipple: dict[str, Any]) -> Non
 # -- the numbers ----------------------------------------------------------------------------------
 
 
+@pytest.mark.long
 def test_the_report_has_every_name_of_the_list(rows: Mapping[str, Quantity]) -> None:
     wanted = "M C1 K0 K2 eigenvalues weave_speed capsize_speed M1_steer_5s M1_energy_drift kick_3.5 kick_4.5 kick_6.3"
     assert {

@@ -31,6 +31,7 @@ def test_elements_can_follow_the_sheaves_and_are_as_many_as_in_the_paper() -> No
     assert hoist.free_length() / HOIST.elements <= HOIST.sheave_radius / 2
 
 
+@pytest.mark.long
 def test_a_load_applied_at_once_gives_the_dynamic_factor_of_its_damping(applied: hoist.HoistResults) -> None:
     at_blow = hoist.blow(HOIST.elements)
     factor, strain = hoist.blow_factor(at_blow), hoist.largest_strain(at_blow)
@@ -68,6 +69,7 @@ def lifted() -> hoist.HoistResults:
 
 
 @pytest.mark.parametrize("t", [1.0, 3.0])
+@pytest.mark.long
 def test_tension_is_that_of_statics_at_every_point_on_and_off_the_sheaves(
     lifted: hoist.HoistResults, t: float
 ) -> None:

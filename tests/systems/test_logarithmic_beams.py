@@ -46,6 +46,7 @@ def test_the_limit_over_meshes_is_reissners_rod_in_the_plane(GA: float) -> None:
 
 
 @pytest.mark.parametrize("sheared", [True, False])
+@pytest.mark.long
 def test_the_limit_over_meshes_is_reissners_rod_in_space(sheared: bool) -> None:
     """The end turns by 106° about an oblique axis.  Reference: own, shooting."""
     force, moment = (-1.0, 4.0, 2.0), (1.0, -0.8, 1.2)

@@ -91,6 +91,7 @@ def test_two_integrators_agree_on_the_closed_loop(design: fx.Linearization) -> N
     assert np.abs(motion["elbow.angle"] - other["elbow.angle"]).max() < 1e-4 * scale
 
 
+@pytest.mark.long
 def test_the_example_runs_as_a_users_file(tmp_path: Path, checkout: Path) -> None:
     """`flexel run` on the example: its pictures, and its motion to be viewed."""
     pytest.importorskip("matplotlib", reason="the example draws: pip install 'flexel[plot]'")

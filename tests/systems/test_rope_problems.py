@@ -51,6 +51,7 @@ def test_hanging_ropes_and_chains_converge_with_their_order(at_rest: list[Quanti
     assert coarse < 5e-3  # elements of 0.45 radii
 
 
+@pytest.mark.long
 def test_waves_and_sudden_loads_have_their_closed_forms() -> None:
     """A smooth pulse converges with the order of the steps, a jump of tension with less than one."""
     rows = waves.rows()
@@ -180,6 +181,7 @@ def test_rope_slides_off_an_edge_as_the_closed_form_says() -> None:
 
 
 @pytest.mark.parametrize("lead", [drums.LEAD, -drums.LEAD])
+@pytest.mark.long
 def test_winch_lifts_by_the_length_of_the_helix_and_moves_its_rope_by_the_lead(lead: float) -> None:
     found, given = drums.lift(lead)
     assert found == pytest.approx(given, rel=5e-5)

@@ -116,6 +116,7 @@ def folded() -> fx.PeriodicBranch:
     return branches.followed(0.01, (245.0, 275.0), step=0.2, elements=2)
 
 
+@pytest.mark.long
 def test_the_folds_do_not_depend_on_the_step_and_have_a_multiplier_one(folded: fx.PeriodicBranch) -> None:
     first, last = folded.folds
     assert folded.omega[[first, last]] == pytest.approx([263.2, 250.5], abs=0.1)
@@ -128,6 +129,7 @@ def test_the_folds_do_not_depend_on_the_step_and_have_a_multiplier_one(folded: f
     assert fine.modulus[-1] > 1.2
 
 
+@pytest.mark.long
 def test_disturbances_of_both_stable_motions_decay(folded: fx.PeriodicBranch) -> None:
     """The deflection after twenty simulated turns, from a start with 2 % of all deformations added."""
     first, last = folded.folds

@@ -28,6 +28,7 @@ def test_the_transition_has_the_floquet_multipliers() -> None:
     assert Y[-1] == pytest.approx(np.eye(9)[-1], abs=1e-14)
 
 
+@pytest.mark.long
 def test_the_linearized_transient_comes_closer_to_the_full_one_at_half_the_speed() -> None:
     off = []
     for speed in (data.SPEED, data.SPEED / 2):
@@ -77,6 +78,7 @@ def test_the_full_motions_have_their_maximum_at_a_fifth_whatever_the_step() -> N
     assert coarse[1] == pytest.approx(fine[1], rel=1e-6)
 
 
+@pytest.mark.long
 def test_the_maximum_of_a_curve_that_turns_back_is_on_its_upper_part() -> None:
     """At 1 % damping near ω₀/3: above the fold, on the stable motions, and higher than all others found."""
     branch = talk.full_branch(0.01, (262.0, 272.0))

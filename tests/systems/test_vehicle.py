@@ -160,6 +160,7 @@ def test_a_rack_that_the_tie_rods_cannot_follow_is_refused_by_name() -> None:
 
 
 @pytest.mark.filterwarnings("ignore:simulate. RK45 takes about")  # its steps end at the singular position
+@pytest.mark.long
 def test_a_rack_that_runs_out_of_reach_is_named_with_its_time() -> None:
     """Half a metre in a second: the tie rods come into line with the uprights, in whatever degrees of freedom."""
     system = vehicle(5.0, rack=fx.Polynomial((0.0, 0.5)))

@@ -60,6 +60,7 @@ def dynamics(warping: bool) -> fx.System:
     return m.build()
 
 
+@pytest.mark.long
 def test_a_motion_keeps_its_energy() -> None:
     motion = dynamics(warping=True).simulate(0.05, samples=11, rtol=1e-9, progress=False)
     total = motion.energy["total"]  # with the potential of the loads
@@ -67,6 +68,7 @@ def test_a_motion_keeps_its_energy() -> None:
     assert np.ptp(total) < 1e-8 * np.ptp(motion.energy["kinetic"])
 
 
+@pytest.mark.long
 def test_the_implicit_method_follows_the_explicit_one() -> None:
     explicit, implicit = (
         dynamics(warping=True).simulate(0.02, samples=5, method=method, rtol=1e-8, progress=False)

@@ -261,6 +261,7 @@ def stretch(name: str, picture: str) -> Element:
     )
 
 
+@pytest.mark.long
 def test_a_guide_is_as_long_as_what_slides_goes() -> None:
     """Its rail is the same at all frames and holds the slider at each."""
     motion = held().simulate(1.0, progress=False)

@@ -130,6 +130,7 @@ def test_every_control_is_reached_by_tab_and_has_a_name(
     assert len(fresh.nameless()) == 1
 
 
+@pytest.mark.long
 def test_the_scrubber_follow_trace_and_colour(ride: fx.Motion, tmp_path: Path, fresh: Browser) -> None:
     """Scrubbing goes to its time; a followed node stays in the middle; a trace and colours are visible."""
     sketch = Sketch("rear hub", "rear frame", [(0, 0, -0.3), (0.3, 0, -0.9)])
