@@ -76,12 +76,12 @@ def _beam(entry: ElementEntry, dialect: str) -> list[Declaration]:
     """Return a beam, by its stiffnesses if whole groups of modes deform, otherwise rigid with a separate law."""
     planar = entry.line.keyword.startswith("PL")
     warps = entry.line.keyword == "BEAMW"
-    lumped = dialect == "twente" and entry.line.keyword in TWENTE_BEAMS
-    second = entry.line.keyword.endswith("NL") or lumped or warps
+    lumped = dialect == "twente" and (planar or entry.line.keyword in TWENTE_BEAMS)
+    second = entry.line.keyword.endswith("NL") or (lumped and not planar) or warps
     options: dict[str, Any] = {} if planar else _direction(entry)
     options |= _mass(entry, planar, lumped)
     options |= {} if second else {"second_order": False}
-    inertias = _lumped_inertia(entry) if lumped else []
+    inertias = (_lumped_planar_inertia if planar else _lumped_inertia)(entry) if lumped else []
     groups = PLANAR_GROUPS if planar else WARPING_GROUPS if warps else SPATIAL_GROUPS
     stiffness = _whole_groups(entry, groups)
     if warps:
@@ -110,6 +110,18 @@ def _lumped_inertia(entry: ElementEntry) -> list[Declaration]:
         six = tuple(float(A[i, j]) + 0.0 for i, j in ((0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)))
         found.append(Declaration.of(line, RotaryInertia, f"{entry.name}_{end}", frame.name, six))
     return found
+
+
+def _lumped_planar_inertia(entry: ElementEntry) -> list[Declaration]:
+    """Return rotary inertia of a planar beam in the same way, from the second number of EM: J per length."""
+    J = (*entry.values("EMASS")[1:2], 0.0)[0]
+    if not J:
+        return []
+    half, line = J * length(entry) / 2, entry.lines["EMASS"]
+    return [
+        Declaration.of(line, RotaryInertia, f"{entry.name}_{end}", angle.name, half)
+        for end, angle in (("p", entry.nodes[1]), ("q", entry.nodes[3]))
+    ]
 
 
 def _whole_groups(entry: ElementEntry, groups: dict[str, set[int]]) -> dict[str, float] | None:
@@ -146,12 +158,14 @@ def _mass(entry: ElementEntry, planar: bool, lumped: bool = False) -> dict[str, 
             "a product of inertia of the section is not supported; turn the section to its principal axes"
         )
     options: dict[str, Any] = {"mass_per_length": values[0]}
+    if planar and lumped and any(values[2:]):
+        raise line.error("a planar beam takes rhoA and its rotary inertia per length; remove the other numbers")
     if any(values[5:]):
         options["warping_inertia_per_length"] = values[5]
     if any(values[1:4]) and not lumped:
         inertia = (*values[1:4], 0.0, 0.0)[:3]
         if planar:
-            raise line.error("a planar element takes rhoA alone; remove the inertias")
+            raise line.error("it takes rhoA alone here, a PLBEAM of the Twente dialect also J; remove the inertias")
         options["inertia_per_length"] = inertia
     return options
 

@@ -180,7 +180,7 @@ _FORMS: dict[str, tuple[str, int, int]] = {
     "LENGTH0": ("e l0", 2, 2),
     # dynamics
     "MASS": ("n m | n Izz | n Ixx Ixy Ixz Iyy Iyz Izz", 2, 7),
-    "EMASS": ("e rhoA [Jxx Jyy Jzz Jyz] [Jw of a BEAMW]", 1, 16),
+    "EMASS": ("e rhoA [Jxx Jyy Jzz Jyz, or J of a PLBEAM] [Jw of a BEAMW]", 1, 16),
     "ESTIFF": ("e ...", 1, 16),
     "EDAMPP": ("e ...", 1, 16),
     "ESIG": ("e sigma1 ...", 2, 9),

@@ -16,7 +16,7 @@ from flexel.engine import evaluate
 from flexel.mechanics.saddle import Matrix
 
 pytestmark = pytest.mark.skipif(not hasattr(os, "fork"), reason="this system has no fork")
-PATIENCE = 5  # seconds until a child counts as hung
+PATIENCE = 60  # seconds until a child counts as hung
 
 
 class Held:

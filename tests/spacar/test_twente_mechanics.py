@@ -37,6 +37,26 @@ def test_rotary_inertia_of_em_is_lumped_at_the_nodes(tmp_path: Path) -> None:
     assert found.matrices().M0[0, 0] == pytest.approx(1.5 * 13 / 35, rel=1e-9)
 
 
+PLANAR = ["PLBEAM 1 1 2 3 4", "X 3 2.0 0", "FIX 1", "FIX 2", "DYNE 1"]
+
+
+def test_the_second_number_of_a_planar_beam_is_lumped_too(tmp_path: Path) -> None:
+    """Turning the free end alone moves half of the inertia of the whole length."""
+    lines = [*PLANAR, *HALT, "ESTIFF 1 1e6 10", "EM 1 0.001532 2.393e-5 # rhoA J"]
+    found, plain = file(tmp_path, *lines).system, file(tmp_path, *lines[:-1], "EM 1 0.001532").system
+    turned = {"o4.angle": 1.0, "p3.x": 0.0, "p3.y": 0.0}
+    energies = [system.state_at(rates=turned).energy.kinetic for system in (found, plain)]
+    assert energies[0] - energies[1] == pytest.approx(2.393e-5 * 2.0 / 2 / 2, rel=1e-9)
+
+
+def test_further_inertias_of_planar_elements_are_refused(tmp_path: Path) -> None:
+    with pytest.raises(fx.ModelError, match=r"line 9: EM: a planar beam takes rhoA and its rotary inertia"):
+        file(tmp_path, *PLANAR, *HALT, "ESTIFF 1 1e6 10", "EM 1 0.0015 1e-5 1e-5")
+    delft = [*PLANAR, "ESTIFF 1 1e6 10", "EMASS 1 0.0015 1e-5"]
+    with pytest.raises(fx.ModelError, match=r"line 7: EMASS: it takes rhoA alone here"):
+        file(tmp_path, *delft)
+
+
 def test_rotary_inertia_of_the_delft_dialect_is_consistent(tmp_path: Path) -> None:
     found = file(tmp_path, *NODES, "DYNE 1", "ESTIFF 1 1e6 10 20 30", "EMASS 1 1.5 3e-3 1e-3 2e-3")
     assert not declared(found, "rotary_inertia")
