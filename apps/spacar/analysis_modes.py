@@ -19,6 +19,8 @@ from flexel.results.motion import Motion
 from flexel.results.system_facade import System
 
 Results = dict[str, Array | ComplexArray]
+# what begins the names of histories: coordinates, deformations, stresses, small changes of the first two
+HISTORIES = ("x_", "e_", "s_", "dx_", "de_")
 
 
 @dataclass(frozen=True)
@@ -93,10 +95,37 @@ def _inverse(file: Spacar) -> Analysis:
 
 def _along(file: Spacar) -> Analysis:
     motion = _simulated(file)
-    every = [file.matrices(state) for state in motion]
-    stacked = {name: np.array([lin.as_dict()[name] for lin in every]) for name in every[0].as_dict()}
-    lines = ["at the start", *linear_lines(every[0]), "", "at the end", *linear_lines(every[-1])]
+    lines, stacked = _matrices_along(file, motion)
     return Analysis(lines, _histories(file, motion, motion.t) | stacked, motion, list(motion))
+
+
+def _matrices_along(file: Spacar, states: Sequence[State]) -> tuple[list[str], Results]:
+    """Return the report of the matrices at the first and the last state, and those of all."""
+    every = [file.matrices(state) for state in states]
+    stacked: Results = {name: np.array([lin.as_dict()[name] for lin in every]) for name in every[0].as_dict()}
+    return ["at the start", *linear_lines(every[0]), "", "at the end", *linear_lines(every[-1])], stacked
+
+
+def _perturbed(file: Spacar) -> Analysis:
+    """Small motions about the nominal one, in which the degrees of freedom keep their initial values."""
+    system, start = file.system, file.system.initial
+    if file.duration is None:
+        raise ModelError(
+            f"{file.path.name}: the duration of the nominal motion is missing; add a line TIMESTEP"
+        )
+    times = start.t + np.linspace(0.0, file.duration, file.steps + 1)
+    nominal = system.along(times=times)
+    states = [lin.state for lin in nominal]
+    small = nominal.transient({f"{name}'": start.rate(name) for name in system.dynamic})
+    places = [*((name, 1.0) for name in file.coordinates.values()), *file.deformations.values()]
+    _, _, C, _ = nominal.state_space(outputs=[name for name, _ in places])
+    changes = np.einsum("tij,tj->it", C, small.x) * np.array([[factor] for _, factor in places])
+    labels = [f"dx_{n}_{i}" for n, i in file.coordinates] + [f"de_{e}_{i}" for e, i in file.deformations]
+    lines = ["nominal motion, at the end", *state_lines(file, states[-1]), "small changes from it"]
+    lines += [f"  {name}: {small[name][-1]: .9e}" for name in system.dynamic]
+    report, stacked = _matrices_along(file, states)
+    results = _histories(file, states, times) | dict(zip(labels, changes, strict=True)) | stacked
+    return Analysis([*lines, "", *report], results, states=states)
 
 
 def _static(file: Spacar) -> Analysis:
@@ -161,6 +190,7 @@ MODES: dict[int, Callable[[Spacar], Analysis]] = {
     0: _counted,
     1: _forward,
     2: _inverse,
+    3: _perturbed,
     4: _along,
     7: _static,
     8: _space,

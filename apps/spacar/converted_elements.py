@@ -159,13 +159,17 @@ def _mass(entry: ElementEntry, planar: bool, lumped: bool = False) -> dict[str, 
         )
     options: dict[str, Any] = {"mass_per_length": values[0]}
     if planar and lumped and any(values[2:]):
-        raise line.error("a planar beam takes rhoA and its rotary inertia per length; remove the other numbers")
+        raise line.error(
+            "a planar beam takes rhoA and its rotary inertia per length; remove the other numbers"
+        )
     if any(values[5:]):
         options["warping_inertia_per_length"] = values[5]
     if any(values[1:4]) and not lumped:
         inertia = (*values[1:4], 0.0, 0.0)[:3]
         if planar:
-            raise line.error("it takes rhoA alone here, a PLBEAM of the Twente dialect also J; remove the inertias")
+            raise line.error(
+                "it takes rhoA alone here, a PLBEAM of the Twente dialect also J; remove the inertias"
+            )
         options["inertia_per_length"] = inertia
     return options
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from flexel.apps.spacar.analysis_modes import MODES, Results
+from flexel.apps.spacar.analysis_modes import HISTORIES, MODES, Results
 from flexel.apps.spacar.comparison import comparison_lines, results_of_spacar
 from flexel.apps.spacar.keywords import WARPING
 from flexel.apps.spacar.log import log_lines
@@ -20,7 +20,7 @@ from flexel.mechanics.bent import warn_bent, warned_together
 from flexel.results.motion import Motion
 from flexel.results.saved.tables_of_runs import motion_beside
 
-COUNT_MODE, PERTURBATION_MODE = 0, 3  # modes of analysis
+COUNT_MODE = 0  # mode of analysis
 
 
 @dataclass(frozen=True)
@@ -55,10 +55,10 @@ def run_spacar(
         `flexel.load`, as ``<name>_motion.npz``; without it no files are written, and
         `log` and `mat` are refused.
     mode : int, optional
-        0 count of constraints and degrees of freedom, 1 forward dynamics, 2 inverse dynamics, 4 linearization along
-        the motion, 7 equilibrium, frequencies and buckling, 8 state space in equilibrium, 9 state space along the
-        motion, or in equilibrium for a file without TIMESTEP, 10 static load steps.  By default 1 if the file has
-        TIMESTEP, 10 if it has load steps, else 7.
+        0 count of constraints and degrees of freedom, 1 forward dynamics, 2 inverse dynamics, 3 small motions about
+        the nominal motion, 4 linearization along the motion, 7 equilibrium, frequencies and buckling, 8 state space
+        in equilibrium, 9 state space along the motion, or in equilibrium for a file without TIMESTEP, 10 static
+        load steps.  By default 1 if the file has TIMESTEP, 10 if it has load steps, else 7.
     dialect : "delft" or "twente", optional
     compare : sequence of str or Path
         Results of SPACAR, .sbd, .sbm or .ltv: the report has their differences from these.
@@ -82,11 +82,6 @@ def run_spacar(
         raise ModelError("run_spacar: log and mat write files; give out, the directory for results")
     file = read_spacar(path, dialect, warping=warping)
     mode = usual_mode(file) if mode is None else mode
-    if mode == PERTURBATION_MODE:
-        raise ModelError(
-            f"{file.path.name}: mode 3, small motions along a stored one, is not supported; use mode 4 for the "
-            "matrices or mode 9 for the state space along the motion, or flexel.linear.periodic for a periodic one"
-        )
     if mode not in MODES:
         raise ModelError(
             f"{file.path.name}: mode {mode} does not exist; modes are {', '.join(map(str, MODES))}"
@@ -135,7 +130,7 @@ def _write(file: Spacar, out: Path, results: Results, motion: Motion | None) -> 
     with replacing(arrays, "run") as part:
         np.savez(part, allow_pickle=False, **results)
     moved = [] if motion is None else [motion.save(motion_beside(arrays))]
-    histories = {key: array for key, array in results.items() if key == "t" or key[:2] in ("x_", "e_", "s_")}
+    histories = {key: array for key, array in results.items() if key == "t" or key.startswith(HISTORIES)}
     if "t" not in results:
         return [arrays, *moved]
     table = out / f"{file.path.stem}.csv"

@@ -279,5 +279,5 @@ def test_command_line_reports_file_and_line(tmp_path: Path) -> None:
     path.write_text("* nothing\n")
     assert "it has no elements" in CliRunner().invoke(main, ["run", str(path)]).output
     path.write_text("\n".join(CRANK))
-    output = CliRunner().invoke(main, ["run", str(path), "--mode", "3"]).output
-    assert "mode 3, small motions along a stored one, is not supported" in output
+    output = CliRunner().invoke(main, ["run", str(path), "--mode", "5"]).output
+    assert "mode 5 does not exist" in output
