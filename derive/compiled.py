@@ -13,6 +13,11 @@ class _Compiled:
 
     code: SharedObject
 
+    def __repr__(self) -> str:
+        spec: ElementSpec | LawSpec = self.spec  # type: ignore[attr-defined]
+        parameters = ", ".join(f"{parameter.name} [{parameter.unit}]" for parameter in spec.parameters)
+        return f"{type(self).__name__}({spec.name}: {parameters or 'no parameters'})"
+
     @property
     def address(self) -> int:
         """Address of the ``flexel_element`` or ``flexel_law``."""
@@ -24,14 +29,14 @@ class _Compiled:
         return self.code.path
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class CompiledElement(_Compiled):
     """A compiled element: its spec and its kernels; pickled with its C code, without SymPy."""
 
     spec: ElementSpec
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class CompiledLaw(_Compiled):
     """A compiled law: its spec and its kernels; pickled with its C code, without SymPy."""
 

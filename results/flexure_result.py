@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
@@ -17,6 +17,9 @@ from flexel.results.motion import Motion
 from flexel.results.saved.archive import integration_of, record_of
 from flexel.results.saved.record import Record, Variable, require
 from flexel.results.saved.record_files import write
+
+if TYPE_CHECKING:
+    from flexel.apps.view.page import Page
 
 
 class Flexure:
@@ -174,8 +177,14 @@ class Flexure:
         own = {"label": "{:.3g} of the loads", "title": "Deflected shapes"}
         return self.motion.plot_shapes(*chosen, path=path, **own | options)
 
-    def view(self, path: str | Path, **options: Any) -> Path:
-        """Make an HTML page that shows the steps in any browser; options as in `Motion.view`."""
+    @overload
+    def view(self, path: str | Path, **options: Any) -> Path: ...
+
+    @overload
+    def view(self, path: None = None, **options: Any) -> Page: ...
+
+    def view(self, path: str | Path | None = None, **options: Any) -> Path | Page:
+        """Make an HTML page that shows the steps in any browser; path and options as in `Motion.view`."""
         return self.motion.view(path, **options)
 
     # -- tables and files ------------------------------------------------------------------------

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
@@ -22,6 +22,9 @@ from flexel.results.motion import Motion
 from flexel.results.saved.record import Variable
 from flexel.statics.compliance import DIRECTIONS, Compliance
 from flexel.statics.stability import Vibration, vibrations
+
+if TYPE_CHECKING:
+    from flexel.apps.view.page import Page
 
 MAX_FREQUENCIES_SHOWN = 3  # largest number of frequencies in a line of the table
 
@@ -200,7 +203,13 @@ class FlexureStep:
         given = {"title": title} | checked("plot_mode", plot_shape, options)
         return plot_shape(self.state, mode.shape, path, **given)
 
-    def view_modes(self, path: str | Path, **options: Any) -> Path:
+    @overload
+    def view_modes(self, path: str | Path, **options: Any) -> Path: ...
+
+    @overload
+    def view_modes(self, path: None = None, **options: Any) -> Page: ...
+
+    def view_modes(self, path: str | Path | None = None, **options: Any) -> Path | Page:
         """Make an HTML page with the modes of vibration at this step; options of `flexel.apps.view.page.mode_data`."""
         from flexel.apps.view.page import view_modes
 

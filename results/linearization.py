@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import fields
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any, overload
 
 from flexel.base.arguments import flag
 from flexel.base.arrays import StateSpace
@@ -15,6 +15,9 @@ from flexel.linear.response import FrequencyResponse, frequency_response
 from flexel.linear.sampled import SampledLoop, sampled_loop
 from flexel.linear.sensors import state_space
 from flexel.mechanics.linearized_system import LinearizedSystem
+
+if TYPE_CHECKING:
+    from flexel.apps.view.page import Page
 
 
 class Linearization(LinearizedSystem):
@@ -166,13 +169,19 @@ class Linearization(LinearizedSystem):
             **{"title": title} | checked("plot_mode", plot_shape, options),
         )
 
-    def view(self, path: str | Path, **options: Any) -> Path:
+    @overload
+    def view(self, path: str | Path, **options: Any) -> Path: ...
+
+    @overload
+    def view(self, path: None = None, **options: Any) -> Page: ...
+
+    def view(self, path: str | Path | None = None, **options: Any) -> Path | Page:
         """Make an HTML page that shows the modes in any browser, with amplitude and phase.
 
         Parameters
         ----------
-        path : path
-            Ends in ``.html``.
+        path : path, optional
+            Ends in ``.html``.  Without it the page is returned, which a notebook shows as the result of a cell.
         **options
             ``modes``, ``view`` (a `View`), ``title`` and ``caption``; see `flexel.apps.view.page.mode_data`.
         """

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, overload
 
 from flexel.base.arguments import path_of
 from flexel.base.outside import DataFrame, Dataset, Figure
 from flexel.integration.trajectory import Trajectory
 
 if TYPE_CHECKING:
+    from flexel.apps.view.animation import Animation
     from flexel.apps.view.page import Page
     from flexel.mechanics.linearized_system import LinearizedSystem
 
@@ -130,20 +131,36 @@ class Motion(Trajectory):
 
         return plot_states(self, times, path, **checked("plot_shapes", plot_states, options))
 
-    def animate(self, path: str | Path, **options: Any) -> Path:
-        """Animate the mechanism as .gif or .mp4 (needs matplotlib), or .html: see `view`."""
-        from flexel.apps.view.animation import animate
+    @overload
+    def animate(self, path: str | Path, **options: Any) -> Path: ...
+
+    @overload
+    def animate(self, path: None = None, **options: Any) -> Animation: ...
+
+    def animate(self, path: str | Path | None = None, **options: Any) -> Path | Animation:
+        """Animate the mechanism as .gif or .mp4 (needs matplotlib), or .html: see `view`.
+
+        Without a path the .gif is returned, which a notebook shows as the result of a cell.
+        """
+        from flexel.apps.view.animation import animate, animation
         from flexel.apps.view.options import checked
 
-        return animate(self, path_of(path, "animate"), **checked("animate", animate, options))
+        given = checked("animate", animate, options)
+        return animation(self, **given) if path is None else animate(self, path_of(path, "animate"), **given)
 
-    def view(self, path: str | Path, **options: Any) -> Path:
+    @overload
+    def view(self, path: str | Path, **options: Any) -> Path: ...
+
+    @overload
+    def view(self, path: None = None, **options: Any) -> Page: ...
+
+    def view(self, path: str | Path | None = None, **options: Any) -> Path | Page:
         """Write an HTML page that shows the motion in any browser, offline.
 
         Parameters
         ----------
-        path : path
-            Ends in ``.html``.
+        path : path, optional
+            Ends in ``.html``.  Without it the page is returned, which a notebook shows as the result of a cell.
         **options
             ``view`` (a `View`: camera, node to follow, trails, sketches), ``frames``, ``between``, ``title``,
             ``caption``, ``plots``, ``slower`` and ``progress``; see `flexel.apps.view.page.scene_data`.

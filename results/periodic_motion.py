@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
@@ -19,6 +19,9 @@ from flexel.results.saved.archive import integration_of, record_of
 from flexel.results.saved.exports import motion_frame
 from flexel.results.saved.record import Record, Variable, require
 from flexel.results.saved.record_files import write
+
+if TYPE_CHECKING:
+    from flexel.apps.view.page import Page
 
 PARTS = ("real", "imaginary")
 
@@ -105,8 +108,14 @@ class PeriodicSolution:
         """Draw the mechanism at the stored states nearest to the times."""
         return self.motion.plot_shapes(*times, path=path, **options)
 
-    def view(self, path: str | Path, **options: Any) -> Path:
-        """Make an HTML page that shows one period in any browser; options as in `Motion.view`."""
+    @overload
+    def view(self, path: str | Path, **options: Any) -> Path: ...
+
+    @overload
+    def view(self, path: None = None, **options: Any) -> Page: ...
+
+    def view(self, path: str | Path | None = None, **options: Any) -> Path | Page:
+        """Make an HTML page that shows one period in any browser; path and options as in `Motion.view`."""
         return self.motion.view(path, **options)
 
     # -- tables and files ------------------------------------------------------------------------

@@ -9,8 +9,6 @@ from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Future, wait
 from dataclasses import dataclass, replace
 from typing import Any
 
-from tqdm import tqdm
-
 from flexel.apps.sweeps.executors import Pool
 from flexel.apps.sweeps.points import Points
 from flexel.apps.sweeps.store import Store
@@ -56,7 +54,7 @@ class Drive:
     these chunks have returned: the first successful point sets the form, whichever worker is faster.
     """
 
-    def __init__(self, job: Job, points: Points, store: Store, pool: Pool, bar: tqdm[Any]) -> None:
+    def __init__(self, job: Job, points: Points, store: Store, pool: Pool, bar: Any) -> None:
         self.job, self.points, self.store, self.pool, self.bar = job, points, store, pool, bar
         self.pending: dict[Future[Outcome], Chunk] = {}
         self.again: deque[Chunk] = deque()  # their workers died

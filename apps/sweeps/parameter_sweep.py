@@ -4,16 +4,14 @@ from __future__ import annotations
 
 import inspect
 import logging
-import sys
 import tempfile
 import warnings
 from collections.abc import Callable, Iterable, Mapping
-from contextlib import ExitStack
+from contextlib import ExitStack, closing
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from tqdm import tqdm
 
 from flexel.apps.sweeps.dataset import dataset_of
 from flexel.apps.sweeps.drive import Drive
@@ -24,6 +22,7 @@ from flexel.apps.sweeps.work import Job
 from flexel.base.arguments import flag, path_of, unknown, whole
 from flexel.base.callers import outside
 from flexel.base.errors import IncompleteWarning, ModelError
+from flexel.base.progress import progress_bar, seen
 from flexel.base.stopping import StoppedError, stopping
 from flexel.results.saved.record import require
 
@@ -113,7 +112,7 @@ def sweep(
         else:
             place = path_of(folder, "sweep")
         store = stack.enter_context(Store(place, chosen))
-        show = sys.stderr.isatty() if progress is None else flag(progress, "sweep", "progress")
+        show = seen(progress, "sweep")
         interrupted = False
         if any(True for _ in store.missing(retry_failed)):
             pool = pool_of(executor, workers)
@@ -131,7 +130,7 @@ def _driven(
 ) -> bool:
     """Compute the missing points; return whether Ctrl-C ended the sweep."""
     interrupted = True  # also by an error: chunks in progress are not waited for
-    with tqdm(total=len(points), disable=not show, unit="point", leave=False) as bar:
+    with closing(progress_bar(show, len(points), "point")) as bar:
         drive = Drive(job, points, store, pool, bar)
         try:
             with stopping():

@@ -5,26 +5,63 @@ Each frame is one PNG, so the writers differ only in how they join the frames.
 
 from __future__ import annotations
 
+import base64
+import html
 import io
 import shutil
 import subprocess
-import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from tqdm import tqdm
 
 from flexel.apps.view import drawing
 from flexel.apps.view.scene import View, canvas, draw, painted
 from flexel.base.arguments import path_of
 from flexel.base.errors import FlexelError, ModelError
 from flexel.base.files import replacing
+from flexel.base.progress import followed, seen
 from flexel.model.state import State
 
 if TYPE_CHECKING:
     from flexel.integration.trajectory import Trajectory
+
+
+class Animation:
+    """An animation in memory, which a notebook shows as the result of a cell.
+
+    Attributes
+    ----------
+    data : bytes
+        A GIF.
+    """
+
+    def __init__(self, data: bytes, title: str) -> None:
+        self.data, self.title = data, title
+
+    def __repr__(self) -> str:
+        return f"Animation({len(self.data) / 1e6:.2g} MB as .gif)"
+
+    def write(self, path: str | Path) -> Path:
+        """Write the GIF to a file."""
+        place = path_of(path, "animation")
+        with replacing(place, "animation") as part:
+            part.write_bytes(self.data)
+        return place
+
+    def _repr_html_(self) -> str:
+        """Return the picture with its data; no other file is needed."""
+        name = html.escape(self.title or "Motion", quote=True)
+        return f'<img alt="{name}" src="data:image/gif;base64,{base64.b64encode(self.data).decode()}">'
+
+
+def animation(motion: Trajectory, fps: float = 12.0, title: str = "", **options: Any) -> Animation:
+    """Animate a motion in memory; options as in `animate`."""
+    with TemporaryDirectory() as folder:
+        made = animate(motion, Path(folder) / "motion.gif", fps, title=title, **options)
+        return Animation(made.read_bytes(), title)
 
 
 def animate(
@@ -62,7 +99,7 @@ def animate(
     size, dpi
         Size and resolution of the frames of a GIF or an MP4, in inches and dots per inch.
     progress : bool, optional
-        Progress bar on stderr; by default where stderr is a terminal.
+        Progress bar on stderr; by default where stderr is a terminal, and in a notebook.
 
     Returns
     -------
@@ -98,8 +135,8 @@ def animate(
     state_at = motion.at if motion.dense else motion.nearest
     states = [state_at(float(t)) for t in np.linspace(start, end, count)]
     view = view or _whole(states)
-    hidden = not sys.stderr.isatty() if progress is None else not progress
-    frames = tqdm(_frames(states, view, title, size, dpi), "frames", len(states), disable=hidden, leave=False)
+    drawn = _frames(states, view, title, size, dpi)
+    frames = followed(drawn, seen(progress, "animate"), len(states), "frame")
     with replacing(path, "animate") as part:
         WRITERS[path.suffix](part, list(frames), fps)
     return path

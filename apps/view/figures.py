@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import io
 from collections.abc import Iterator, Sequence
 from contextlib import AbstractContextManager, contextmanager
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -112,7 +114,15 @@ def figure(
         drawn = Figure(figsize=size, layout="constrained")
         if not rows:
             drawn.set_layout_engine("none")
+        # a notebook shows it as the result of a cell, also without %matplotlib
+        setattr(drawn, "_repr_png_", partial(_png, drawn))  # noqa: B010
         yield drawn, drawn.subplots(rows, columns, **options) if rows else None
+
+
+def _png(drawn: Figure) -> bytes:
+    buffer = io.BytesIO()
+    drawn.savefig(buffer, format="png")
+    return buffer.getvalue()
 
 
 def save(drawn: Figure, path: str | Path | None) -> None:

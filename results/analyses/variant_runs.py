@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import logging
 import os
-import sys
 import warnings
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor, wait
@@ -19,12 +18,12 @@ from typing import Any, Generic, TypeVar
 
 import numpy as np
 
-from flexel.base.arguments import array, flag, mapping, whole
+from flexel.base.arguments import array, mapping, whole
 from flexel.base.arrays import Array
 from flexel.base.blas import one_thread
 from flexel.base.callers import outside
 from flexel.base.errors import FlexelError, IncompleteWarning, ModelError
-from flexel.base.progress import progress_bar
+from flexel.base.progress import progress_bar, seen
 from flexel.engine.variants import Variant
 from flexel.model.parameters import ParameterPlace, Parameters
 from flexel.model.signs import check_signs
@@ -213,7 +212,7 @@ class Runner(Generic[T]):
         """Run the tasks; an interrupt (Ctrl-C) keeps the finished ones."""
         count = self._threads = min(_threads(threads), self._values.count)
         log.info("%d variants in %d threads", self._values.count, count)
-        show = sys.stderr.isatty() if progress is None else flag(progress, "variants", "progress")
+        show = seen(progress, "variants")
         bar = progress_bar(show, self._values.count, "variant")
         try:
             with one_thread():

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from html import escape
 from typing import ClassVar, Protocol, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
 
 MAX_ROWS_SHOWN = 60  # rows of a table that are shown; the remaining ones are counted
 
@@ -43,6 +46,26 @@ class PrintedTable:
     def _rest(self) -> list[str]:
         left = len(self.rows) - MAX_ROWS_SHOWN
         return [f"and {left} more"] if left > 0 else []
+
+
+class Histories(dict[str, NDArray[np.float64]]):
+    """Arrays over time by name, all in one unit; shown by their ranges."""
+
+    def __init__(self, unit: str, values: Mapping[str, NDArray[np.float64]]) -> None:
+        super().__init__(values)
+        self.unit = unit
+
+    def __repr__(self) -> str:
+        ranges = (f"{name} {_range(values)} {self.unit}".rstrip() for name, values in self.items())
+        return f"Histories({', '.join(ranges)})"
+
+
+def _range(values: NDArray[np.float64]) -> str:
+    """Return the least and the largest of some values."""
+    if not values.size:
+        return "(empty)"
+    low, high = f"{values.min():.4g}", f"{values.max():.4g}"
+    return low if low == high else f"{low} … {high}"
 
 
 class TableRow(Protocol):

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import logging
-import sys
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from dataclasses import replace
@@ -11,10 +10,9 @@ from typing import Any
 
 import numpy as np
 
-from flexel.base.arguments import flag
 from flexel.base.arrays import Array
 from flexel.base.errors import DampingWarning, FlexelError
-from flexel.base.progress import progress_bar
+from flexel.base.progress import progress_bar, seen
 from flexel.base.time_functions import calls_user
 from flexel.integration.event_samples import EventSample, EventSamples
 from flexel.integration.events import Event, passages, value
@@ -174,7 +172,7 @@ class Run(ABC):
     def rest(self, progress: bool | None, each: Callable[[Run], None] | None = None) -> Integration:
         """Compute the rest of a motion that has begun, as in `run`."""
         begin, end = float(self.times[0]), float(self.times[-1])
-        show = sys.stderr.isatty() if progress is None else flag(progress, "simulate", "progress")
+        show = seen(progress, "simulate")
         message: str | None = None
         detailed = log.isEnabledFor(logging.DEBUG)
         bar = progress_bar(show, end - begin, "s", BAR)

@@ -10,6 +10,7 @@ import numpy as np
 from flexel.base.arguments import number
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
+from flexel.base.shown import Histories
 from flexel.integration.energy_balance import energy_balance
 from flexel.integration.given import check_given, given_in
 from flexel.integration.outcome import Integration
@@ -146,7 +147,8 @@ class Trajectory(Sequence[State]):
                 "system.restore(motion, time).energy"
             )
         names = ("kinetic", "potential", "strain", "total")
-        return {part: np.array([getattr(state.energy, part) for state in self._states]) for part in names}
+        found = {part: np.array([getattr(state.energy, part) for state in self._states]) for part in names}
+        return Histories("J", found)
 
     def energy_balance(self) -> dict[str, Array]:
         """Return the energies [J] of an implicit integration over time, each (nt,).
@@ -164,7 +166,7 @@ class Trajectory(Sequence[State]):
             raise ModelError(
                 'this motion has no energy balance; simulate with method="generalized-alpha" for one'
             )
-        return energy_balance(self.energy, self.energy_terms)
+        return Histories("J", energy_balance(self.energy, self.energy_terms))
 
     @property
     def drift(self) -> Array:

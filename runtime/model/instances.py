@@ -13,6 +13,7 @@ from flexel.base.arguments import LARGEST, array
 from flexel.base.arrays import Array
 from flexel.base.copies import Portable
 from flexel.base.errors import CompilerError, ModelError
+from flexel.base.shown import listed
 from flexel.derive.spec import ElementSpec, LawSpec
 from flexel.generated.table import ELEMENTS, LAWS
 
@@ -87,6 +88,9 @@ class Instance(_Row):
         """Parameters flattened in the order that the kernels expect."""
         return flatten(self.parameters, self.spec.parameters, f"{self.spec.name} '{self.name}'")
 
+    def __repr__(self) -> str:
+        return f"Instance({self.name}: {self.spec.name} on {', '.join(self.nodes)}; {_values(self)})"
+
     @property
     def deformations(self) -> tuple[str, ...]:
         """Full names of the generalized deformations, ``element.deformation``."""
@@ -118,10 +122,28 @@ class LawInstance(_Row):
         """Parameters flattened in the order that the kernels expect."""
         return flatten(self.parameters, self.spec.parameters, f"law '{self.name}'")
 
+    def __repr__(self) -> str:
+        acts = listed([*self.deformations, *self.slips])
+        return f"LawInstance({self.name}: {self.spec.name} on {acts}; {_values(self)})"
+
     @property
     def states(self) -> tuple[str, ...]:
         """Full names of the internal states, ``law.state``."""
         return tuple(f"{self.name}.{state.name}" for state in self.spec.states)
+
+
+def _values(row: Instance | LawInstance) -> str:
+    """Return the parameters of an element or a law with their units; arrays by their size."""
+    shown = []
+    for spec in row.spec.parameters:
+        value = np.asarray(row.parameters[spec.name])
+        unit = "" if spec.unit in ("1", "-") else f" {spec.unit}"
+        shown.append(
+            f"{spec.name} = {value.ravel()[0]:.6g}{unit}"
+            if value.size == 1
+            else f"{spec.name} ({value.size}){unit}"
+        )
+    return listed(shown) or "no parameters"
 
 
 def flatten(values: Mapping[str, Array], specs: Iterable[object], owner: str) -> Array:

@@ -43,6 +43,11 @@ class Node(Handle):
     x0: Array
     fixed: NDArray[np.bool_]
 
+    def __repr__(self) -> str:
+        values = ", ".join(f"{value:.6g}" for value in self.x0)
+        held = "fixed" if self.fixed.all() else "partly fixed" if self.fixed.any() else "free"
+        return f"Node({self.name}: {self.kind.replace('_', ' ')} at ({values}) {self.unit}, {held})"
+
     @property
     def unit(self) -> str:
         """Unit of the coordinates."""

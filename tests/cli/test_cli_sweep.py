@@ -20,7 +20,7 @@ pytest.importorskip("joblib", reason="sweeps need pip install 'flexel[sweep]'")
 STUDY = """
 import time
 import flexel as fx
-from parts import hanging
+from own_parts import hanging
 
 points = {"length": [0.25, 0.5, 1.0], "mass": [1.0, 2.0]}
 
@@ -63,7 +63,7 @@ def run(*arguments: str | Path) -> Result:
 @pytest.fixture
 def study(tmp_path: Path) -> Path:
     """A file that imports what lies beside it."""
-    (tmp_path / "parts.py").write_text(PARTS, encoding="utf-8")
+    (tmp_path / "own_parts.py").write_text(PARTS, encoding="utf-8")
     file = tmp_path / "study.py"
     file.write_text(STUDY, encoding="utf-8")
     return file
@@ -78,7 +78,7 @@ def test_a_file_is_swept_into_a_folder(study: Path, tmp_path: Path, monkeypatch:
     data = fx.open_sweep("out/study")
     assert data.omega.dims == ("length", "mass")
     assert data.omega.sel(length=0.25).values == pytest.approx((9.81 / 0.25) ** 0.5, rel=1e-6)
-    assert "parts" not in sys.modules or sys.path[0] != str(tmp_path)
+    assert "own_parts" not in sys.modules or sys.path[0] != str(tmp_path)
 
 
 def test_points_that_fail_are_reported_and_computed_again(study: Path, tmp_path: Path) -> None:

@@ -1,5 +1,7 @@
 """Parallelograms in series that swing through their flat positions, against the single angle of all cranks."""
 
+from collections.abc import Sequence
+
 import numpy as np
 import pytest
 from longer import longer
@@ -38,21 +40,53 @@ def exact(loops: int, speed: float, times: Array) -> Array:
     return np.asarray(found.y[0])
 
 
-@pytest.mark.parametrize("loops", longer([1, 2, 3, 5, 8, 15], 5, 8, 15))
-@pytest.mark.parametrize("options", [{}, {"rtol": 1e-6}, {"rtol": 1e-10}])
-def test_parallelograms_in_series_keep_one_angle_through_flat_positions(
-    loops: int, options: dict[str, float]
-) -> None:
-    system, times = series(loops), np.linspace(0, DURATION, 41)
-    for speed in (0.725, 1.15, 1.2208333333333332, 1.4333333333333333, 2.0):
+def errors(loops: int, speeds: Sequence[float], options: dict[str, float]) -> dict[float, float]:
+    """Largest error [m] of the crank points at each start speed [m/s]."""
+    system, times, found = series(loops), np.linspace(0, DURATION, 41), {}
+    for speed in speeds:
         start = system.state_at(rates={"A0.x": speed})
         motion = system.simulate(
             DURATION, start=start, times=times, method="DOP853", progress=False, **options
         )
         angle = exact(loops, speed, times)
-        for i in range(loops + 1):
-            assert motion[f"A{i}.x"] - i == pytest.approx(np.cos(angle), abs=5e-3), (speed, i)
-            assert motion[f"A{i}.y"] == pytest.approx(np.sin(angle), abs=5e-3), (speed, i)
+        x = np.array([motion[f"A{i}.x"] - i for i in range(loops + 1)]) - np.cos(angle)
+        y = np.array([motion[f"A{i}.y"] for i in range(loops + 1)]) - np.sin(angle)
+        found[speed] = float(max(np.abs(x).max(), np.abs(y).max()))
+    return found
+
+
+TOLERANCES: list[dict[str, float]] = [{}, {"rtol": 1e-6}, {"rtol": 1e-10}]
+
+
+@pytest.mark.parametrize("loops", [1, 2, 3])
+@pytest.mark.parametrize("options", TOLERANCES)
+def test_parallelograms_in_series_keep_one_angle_through_flat_positions(
+    loops: int, options: dict[str, float]
+) -> None:
+    found = errors(loops, (0.725, 1.15, 1.2208333333333332, 1.4333333333333333, 2.0), options)
+    assert {speed: error for speed, error in found.items() if error > 5e-3} == {}
+
+
+SLOW = pytest.mark.xfail(
+    strict=True,
+    raises=AssertionError,
+    reason="eight parallelograms from 0.3 and 0.35 m/s with rtol=1e-6 are off by 5.9e-3 m, without a warning",
+)
+
+
+@pytest.mark.long
+@pytest.mark.parametrize(
+    ("loops", "options"),
+    [
+        pytest.param(loops, options, marks=[SLOW] * ((loops, options) == (8, {"rtol": 1e-6})))
+        for loops in (1, 2, 3, 5, 8, 15)
+        for options in TOLERANCES
+    ],
+)
+def test_parallelograms_from_any_speed(loops: int, options: dict[str, float]) -> None:
+    """77 speeds; the slowest swing over their upper dead points, which enlarges errors most."""
+    found = errors(loops, [round(speed, 6) for speed in np.linspace(0.3, 2.2, 77).tolist()], options)
+    assert {speed: error for speed, error in found.items() if error > 5e-3} == {}
 
 
 @pytest.mark.parametrize("loops", longer([2, 3], 3))

@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from importlib import resources
 from pathlib import Path
 from string import Template
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, overload
 
 from flexel.apps.view.options import checked
 from flexel.apps.view.page.data import FORMAT, scene_data
@@ -43,30 +43,56 @@ SCRIPTS = (
 )
 
 
-def view_motion(motion: Trajectory, path: str | Path, **options: Any) -> Path:
-    """Write a page that shows a motion; the options are those of `scene_data`.
+@overload
+def view_motion(motion: Trajectory, path: str | Path, **options: Any) -> Path: ...
+
+
+@overload
+def view_motion(motion: Trajectory, path: None = None, **options: Any) -> Page: ...
+
+
+def view_motion(motion: Trajectory, path: str | Path | None = None, **options: Any) -> Path | Page:
+    """Write a page that shows a motion; without a path, return it. The options are those of `scene_data`.
 
     Examples
     --------
     >>> motion.view("bicycle.html")  # doctest: +SKIP
     """
-    return write_page(scene_data(motion, **checked("view", scene_data, options)), path)
+    return _written(scene_data(motion, **checked("view", scene_data, options)), path)
 
 
+@overload
 def view_modes(
     about: LinearizedSystem | State,
     path: str | Path,
     modes: Sequence[Mode | Vibration] | None = None,
     **options: Any,
-) -> Path:
-    """Write a page that shows modes of vibration with a slider for the amplitude; see `mode_data`.
+) -> Path: ...
+
+
+@overload
+def view_modes(
+    about: LinearizedSystem | State,
+    path: None = None,
+    modes: Sequence[Mode | Vibration] | None = None,
+    **options: Any,
+) -> Page: ...
+
+
+def view_modes(
+    about: LinearizedSystem | State,
+    path: str | Path | None = None,
+    modes: Sequence[Mode | Vibration] | None = None,
+    **options: Any,
+) -> Path | Page:
+    """Write a page that shows modes of vibration with a slider for the amplitude, or return it; see `mode_data`.
 
     Examples
     --------
     >>> view_modes(system.linearize(state), "modes.html")  # doctest: +SKIP
     >>> view_modes(state, "modes.html", system.vibrations(state))  # doctest: +SKIP
     """
-    return write_page(mode_data(about, modes, **checked("view of modes", mode_data, options)), path)
+    return _written(mode_data(about, modes, **checked("view of modes", mode_data, options)), path)
 
 
 class Page:
@@ -88,6 +114,10 @@ class Page:
         self.scene = scene
         self.height = whole(height, "Page", "height", least=100, most=10_000)
 
+    def __repr__(self) -> str:
+        frames = len(self.scene["t"]) if "t" in self.scene else 0
+        return f"Page({self.scene.get('title') or 'Motion'}{f', {frames} frames' if frames else ''})"
+
     def write(self, path: str | Path) -> Path:
         """Write the page to a file; see `write_page`."""
         return write_page(self.scene, path)
@@ -100,6 +130,11 @@ class Page:
         filled = "width:100%;height:100%;border:0"
         frame = f'<iframe title="{title}" srcdoc="{inner}" style="{filled}" allowfullscreen></iframe>'
         return f'<div style="{style}">{frame}</div>'
+
+
+def _written(scene: Mapping[str, Any], path: str | Path | None) -> Path | Page:
+    """Write the page of a scene; without a path, return it, for a notebook."""
+    return Page(scene) if path is None else write_page(scene, path)
 
 
 def write_page(scene: Mapping[str, Any], path: str | Path) -> Path:

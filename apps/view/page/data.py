@@ -7,12 +7,10 @@ frame. Numbers are Float32, little-endian, in base64; constant data is stored on
 from __future__ import annotations
 
 import base64
-import sys
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from tqdm import tqdm
 
 from flexel.apps.view import drawing
 from flexel.apps.view.page.packing import packed, rounded
@@ -24,6 +22,7 @@ from flexel.apps.view.wavy_roads import wavy_roads
 from flexel.base.arguments import quantities
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
+from flexel.base.progress import followed, seen
 from flexel.base.quaternions import from_matrix
 from flexel.model.state import State
 
@@ -91,8 +90,7 @@ def scene_data(
     asked = None if plots is None else quantities(plots, "view: plots")
     for name in (*view.trails, *([view.centre] if isinstance(view.centre, str) else [])):
         states[0].structure.node(name)
-    hidden = not sys.stderr.isatty() if progress is None else not progress
-    steps = tqdm(states, "frames", disable=hidden, leave=False)
+    steps = followed(states, seen(progress, "view"), len(states), "frame")
     applied = _loads(motion)
     table = [drawing.shapes(state, view.sketches) + applied(state) for state in steps]
     times = [round(state.t, 9) for state in states]
