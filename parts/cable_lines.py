@@ -10,6 +10,7 @@ from flexel.base.arguments import text, unknown
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.base.meaning import array_quantity, entry, quantity
+from flexel.base.shown import prints
 from flexel.model.handle import Handle
 from flexel.model.lowering import Lowering
 from flexel.model.node import Node
@@ -46,6 +47,7 @@ class CableLine(Handle):
     s: Array
     radius: float | None
 
+    @prints
     def __repr__(self) -> str:
         """Return one line: a rope has hundreds of nodes."""
         return f"{type(self).__name__}('{self.name}', {len(self.elements)} elements, {self.s[-1]:.6g} m)"

@@ -11,6 +11,7 @@ from flexel.base.arguments import text
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.base.meaning import array_quantity, entry, quantity
+from flexel.base.shown import prints
 from flexel.model.handle import Handle
 from flexel.model.lowering import Lowering
 from flexel.model.node import Node
@@ -41,6 +42,7 @@ class Chain(Handle):
     points: tuple[Node, ...]
     s: Array
 
+    @prints
     def __repr__(self) -> str:
         """Return one line: a chain has many points."""
         return f"Chain('{self.name}', {len(self.elements)} bars, {self.s[-1]:.6g} m)"

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 from flexel.base.arguments import array, mapping, unknown
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
+from flexel.base.shown import prints
 from flexel.derive.compiled import CompiledElement, CompiledLaw
 from flexel.derive.spec import ElementSpec
 from flexel.engine.batches import kernel_struct, pointers
@@ -66,6 +67,7 @@ class ElementValues:
     f: Array
     U: float
 
+    @prints
     def __repr__(self) -> str:
         """Return the deformations and slips with their derivatives, as a table with named rows and columns."""
         lines = [["", "e", *self.columns]]
@@ -115,6 +117,7 @@ class ElementPage:
         """Pickle the element alone: addresses of kernels are those of this process."""
         return ElementPage, (self._element,)
 
+    @prints
     def __repr__(self) -> str:
         """Return the mathematics, and the names of all symbols."""
         facts = {

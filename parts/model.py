@@ -17,7 +17,7 @@ from flexel.base.arguments import unknown
 from flexel.base.arrays import Array, Vector
 from flexel.base.blas import in_one_thread
 from flexel.base.errors import FlexelError, ModelError
-from flexel.base.shown import PrintedTable, counted
+from flexel.base.shown import PrintedTable, counted, prints
 from flexel.compile import build
 from flexel.mechanics.findings import CheckReport
 from flexel.model.applied_loads import Load
@@ -391,6 +391,7 @@ class Model:
         """All controllers, in the order of their declaration."""
         return self.lowering.controllers
 
+    @prints
     def __repr__(self) -> str:
         nodes, elements = self._counts()
         parts = [counted(n, kind) for kind, n in nodes.items()]

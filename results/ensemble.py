@@ -11,6 +11,7 @@ from flexel.base.arguments import unknown
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.base.outside import Dataset
+from flexel.base.shown import prints
 from flexel.results.motion import Motion
 from flexel.results.saved.record import require
 
@@ -48,6 +49,7 @@ class Ensemble:
         """Number of variants."""
         return len(self.statistics)
 
+    @prints
     def __repr__(self) -> str:
         return f"Ensemble({len(self)} variants, {len(self.failed)} failed, {self.t.size} times, {self.names})"
 

@@ -12,6 +12,7 @@ from flexel.base.arguments import flag, whole
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.base.outside import Dataset, Figure
+from flexel.base.shown import prints
 from flexel.results.flexure_step import FlexureStep
 from flexel.results.motion import Motion
 from flexel.results.saved.archive import integration_of, record_of
@@ -141,6 +142,7 @@ class Flexure:
         """Number of steps, including the initial one."""
         return len(self.steps)
 
+    @prints
     def __repr__(self) -> str:
         lines = [
             f"flexure mechanism: {self.positions.shape[1]} nodes, {self.stress.shape[1]} elements, "

@@ -14,6 +14,7 @@ from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.base.outside import Figure
 from flexel.base.quaternions import axis_angle, euler_angles, matrix
+from flexel.base.shown import prints
 from flexel.mechanics.modal_damping import with_modal_damping
 from flexel.model.state import State
 from flexel.model.stress import BeamStress
@@ -215,10 +216,12 @@ class FlexureStep:
 
         return view_modes(self.state, path, self.vibrations(), **options)
 
+    @prints
     def __repr__(self) -> str:
         lowest = f", lowest frequency {self.frequencies[0]:.5g} Hz" if len(self.frequencies) else ""
         return f"FlexureStep({self.load:g} of the loads{lowest})"
 
+    @prints
     def __str__(self) -> str:
         shown = "  ".join(f"{frequency:.5g}" for frequency in self.frequencies[:MAX_FREQUENCIES_SHOWN])
         load = f"{self.buckling[0]:.4g}" if self.buckling.size else "-"

@@ -17,7 +17,7 @@ from flexel.base.arrays import Array, ComplexArray
 from flexel.base.blas import in_one_thread
 from flexel.base.errors import ModelError
 from flexel.base.outside import Dataset, Figure
-from flexel.base.shown import counted, listed
+from flexel.base.shown import counted, listed, prints
 from flexel.linear.tracking import Branches
 from flexel.mechanics.modes import check_decoupled, first_order, places_of
 from flexel.results.linearization import Linearization
@@ -59,6 +59,7 @@ class Linearizations:
     failed: Mapping[int, str]
     recompute: Callable[[int, int], Linearization] = field(repr=False)
 
+    @prints
     def __repr__(self) -> str:
         rates = f" at {counted(self.M.shape[1], 'rate')}" if self.rates else ""
         failed = f", {len(self.failed)} failed" if self.failed else ""
@@ -172,6 +173,7 @@ class RootLoci:
     linearizations: Linearizations
     unit: str = ""
 
+    @prints
     def __repr__(self) -> str:
         ends = (
             f" from {self.values[0]:g} to {self.values[-1]:g} {self.unit}".rstrip()

@@ -10,7 +10,7 @@ import numpy as np
 from flexel.base.arguments import text
 from flexel.base.arrays import Array, StateSpace
 from flexel.base.errors import LinearizationError
-from flexel.base.shown import counted
+from flexel.base.shown import counted, prints
 from flexel.mechanics.linearized_system import LinearizedSystem
 from flexel.model.controller import parts
 
@@ -49,6 +49,7 @@ class SmallMotion:
     ) -> None:
         self.about, self.t, self.x, self.states, self.inputs = about, t, x, states, inputs
 
+    @prints
     def __repr__(self) -> str:
         span = f"t = {self.t[0]:g} … {self.t[-1]:g} s"
         return f"SmallMotion({counted(self.t.size, 'time')}, {span}, {counted(len(self.states), 'state')})"

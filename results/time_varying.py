@@ -11,7 +11,7 @@ from flexel.base.arguments import array, index, mapping, names, number, numbers,
 from flexel.base.arrays import Array, ComplexArray, StateSpace
 from flexel.base.blas import in_one_thread
 from flexel.base.errors import LinearizationError, ModelError
-from flexel.base.shown import counted, listed
+from flexel.base.shown import counted, listed, prints
 from flexel.linear.course import Course
 from flexel.linear.floquet import FIRST_STEPS, MAX_STEPS, sorted_multipliers
 from flexel.linear.harmonics import Coefficients, PeriodicVibration
@@ -66,6 +66,7 @@ class TimeVarying(Sequence[Linearization]):
     def __iter__(self) -> Iterator[Linearization]:
         return (self[i] for i in range(len(self)))
 
+    @prints
     def __repr__(self) -> str:
         first, last = self.t[0], self.t[-1]
         span = f"t = {first:g} … {last:g} s" if len(self) > 1 else "constant"

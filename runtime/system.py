@@ -17,7 +17,7 @@ import numpy as np
 from flexel.base.arguments import LARGEST, number, positive, vector
 from flexel.base.arrays import Array, Index
 from flexel.base.blas import in_one_thread
-from flexel.base.shown import listed
+from flexel.base.shown import listed, prints
 from flexel.engine.evaluate import Evaluation
 from flexel.mechanics import dynamics, states
 from flexel.mechanics.amplification import amplification, lost, warn_replaced
@@ -155,6 +155,7 @@ class CoreSystem:
             "zero_slips": r.zero.size,
         }
 
+    @prints
     def __repr__(self) -> str:
         c = self.counts
         own, rolling = (f" ({listed(names)})" if names else "" for names in (self.dynamic, self.kinematic))

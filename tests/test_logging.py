@@ -57,7 +57,10 @@ def test_a_motion_tells_its_method_steps_and_events(caplog: pytest.LogCaptureFix
     low = fx.Event("low", lambda state: state["P1.y"] + 0.5, terminal=False)
     motion = chain().build().simulate(0.4, events=[low])
     first, event, last = told(caplog, "simulate").splitlines()
-    assert first == "t = 0 to 0.4 s by DOP853, chosen because max|λ|·duration = 0 at t = 0 s, at most 3e+04"
+    assert (
+        first
+        == "t = 0 to 0.4 s by DOP853, chosen because max|eigenvalue|*duration = 0 at t = 0 s, at most 3e+04"
+    )
     assert event.startswith("t = 0.268") and event.endswith("event 'low'")
     assert last.startswith("t = 0.4 s: reached the end; {'steps': ")
     steps = told(caplog, "simulate", logging.DEBUG).splitlines()

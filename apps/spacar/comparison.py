@@ -14,6 +14,7 @@ from flexel.apps.spacar.vectors import OF_NODES, Place, vectors
 from flexel.base.arguments import path_of
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
+from flexel.base.shown import prints
 from flexel.results.saved.loading import SPACAR
 from flexel.results.saved.spacar_entries import read_entries
 from flexel.results.saved.spacar_motion import NORM
@@ -80,6 +81,7 @@ class Difference:
         """The difference relative to the largest entry."""
         return self.largest / self.entry if self.entry else 0.0
 
+    @prints
     def __str__(self) -> str:
         return f"{self.title:<30}{self.largest:>12.3e}{self.entry:>12.3e}{self.ratio:>12.1e}  {self.place}".rstrip()
 

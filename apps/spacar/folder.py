@@ -11,7 +11,7 @@ from flexel.apps.spacar.comparison import comparison, results_of_spacar
 from flexel.apps.spacar.reading import Spacar, read_spacar
 from flexel.apps.spacar.run_file import usual_mode
 from flexel.base.errors import FlexelError, ModelError
-from flexel.base.shown import PrintedTable
+from flexel.base.shown import PrintedTable, prints
 from flexel.mechanics.bent import warned_together
 from flexel.results.saved.loading import SPACAR
 
@@ -39,6 +39,7 @@ class FolderReport:
     remarks: list[str]
     failed: bool
 
+    @prints
     def __str__(self) -> str:
         table = PrintedTable("", HEAD, self.rows).text if self.rows else "nothing to compare"
         return "\n".join([table, *self.remarks])

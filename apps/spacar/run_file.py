@@ -16,6 +16,7 @@ from flexel.apps.spacar.matfile import write_mat
 from flexel.apps.spacar.reading import Spacar, read_spacar
 from flexel.base.errors import ModelError
 from flexel.base.files import replacing
+from flexel.base.shown import prints
 from flexel.mechanics.bent import warn_bent, warned_together
 from flexel.results.motion import Motion
 from flexel.results.saved.tables_of_runs import motion_beside
@@ -30,6 +31,7 @@ class RunReport:
     report: str
     motion: Motion | None
 
+    @prints
     def __str__(self) -> str:
         return self.report
 

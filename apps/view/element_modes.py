@@ -18,6 +18,7 @@ from flexel.apps.view.figures import COLOURS, figure, save, unit_text
 from flexel.apps.view.primitives import axes_of, extent, place
 from flexel.apps.view.scene import PAINT, View, display_axes
 from flexel.base.arrays import Array, Index
+from flexel.base.shown import prints
 from flexel.model.instances import Instance
 from flexel.model.state import State
 
@@ -60,6 +61,7 @@ class Counts:
     slips: int
     left: int
 
+    @prints
     def __str__(self) -> str:
         parts = {"deformation": self.deformations, "norm": self.norms, "slip": self.slips}
         words = " + ".join(f"{count} {word}{'s' * (count != 1)}" for word, count in parts.items() if count)

@@ -14,7 +14,7 @@ from flexel.base.arguments import names, number, positive, vector
 from flexel.base.arrays import Array
 from flexel.base.blas import in_one_thread
 from flexel.base.errors import ModelError
-from flexel.base.shown import listed
+from flexel.base.shown import listed, prints
 from flexel.base.time_functions import Held
 from flexel.integration import methods
 from flexel.integration.dop853 import Dop853
@@ -134,6 +134,7 @@ class Stepper:
         made = (self._plain, self.dt, self.inputs, self.outputs, None, self._method, self._options)
         return _again, (made, self._first, self.save())
 
+    @prints
     def __repr__(self) -> str:
         return f"Stepper(t = {self.t:g} s, dt = {self.dt:g} s; in: {listed(self.inputs)}; out: {listed(self.outputs)})"
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.blas import in_one_thread
-from flexel.base.shown import PrintedTable, listed
+from flexel.base.shown import PrintedTable, listed, prints
 from flexel.integration.methods import AUTO, Options, start_of
 from flexel.integration.stiffness import ALPHA, EXPLICIT, RADAU, RIGID, limit, smooth, stiff, suitable
 from flexel.mechanics.actuation import path_of
@@ -38,6 +38,7 @@ class Summary:
     def _table(self) -> PrintedTable:
         return PrintedTable("", ("system", ""), self.lines)
 
+    @prints
     def __repr__(self) -> str:
         return self._table().text
 

@@ -14,7 +14,7 @@ from flexel.base.arrays import Array
 from flexel.base.copies import Portable
 from flexel.base.errors import ModelError
 from flexel.base.outside import Dataset
-from flexel.base.shown import counted
+from flexel.base.shown import counted, prints
 from flexel.results.saved.record import require
 from flexel.results.saved.spacar_entries import TaggedEntries
 
@@ -41,6 +41,7 @@ class SpacarRecords(Portable):
     matrices: Mapping[str, Array]
     constant: Mapping[str, Any]
 
+    @prints
     def __repr__(self) -> str:
         return (
             f"SpacarRecords('{self.path.name}': {counted(len(self), 'record')} of {', '.join(self.matrices)})"

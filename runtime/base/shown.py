@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import sys
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import wraps
 from html import escape
-from typing import ClassVar, Protocol, TypeVar
+from typing import Any, ClassVar, Protocol, TypeVar, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -48,6 +50,33 @@ class PrintedTable:
         return [f"and {left} more"] if left > 0 else []
 
 
+SIMPLE = str.maketrans(
+    {"×": "x", "…": "...", "·": "*", "−": "-", "²": "^2", "³": "^3", "°": " deg", "λ": "lambda", "ω": "omega"}
+    | {"δ": "delta", "Δ": "Delta", "ζ": "zeta", "µ": "u", "√": "sqrt", "≤": "<=", "≥": ">=", "Φ": "Phi"}
+)
+F = TypeVar("F", bound=Callable[[Any], str])
+
+
+def printable(text: str) -> str:
+    """Return a text as standard output can print it: what its encoding lacks is replaced."""
+    encoding = getattr(sys.stdout, "encoding", None) or "utf-8"
+    try:
+        text.encode(encoding)
+    except UnicodeEncodeError:
+        return text.translate(SIMPLE).encode(encoding, "replace").decode(encoding)
+    return text
+
+
+def prints(method: F) -> F:
+    """Decorate `__repr__` or `__str__`, so that ``print`` never raises a UnicodeEncodeError."""
+
+    @wraps(method)
+    def text(self: object) -> str:
+        return printable(method(self))
+
+    return cast(F, text)
+
+
 class Histories(dict[str, NDArray[np.float64]]):
     """Arrays over time by name, all in one unit; shown by their ranges."""
 
@@ -55,6 +84,7 @@ class Histories(dict[str, NDArray[np.float64]]):
         super().__init__(values)
         self.unit = unit
 
+    @prints
     def __repr__(self) -> str:
         ranges = (f"{name} {_range(values)} {self.unit}".rstrip() for name, values in self.items())
         return f"Histories({', '.join(ranges)})"
@@ -90,6 +120,7 @@ class Listing(list[R]):
             else PrintedTable("none", (), ())
         )
 
+    @prints
     def __repr__(self) -> str:
         return self._table().text
 

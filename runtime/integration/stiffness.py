@@ -95,7 +95,7 @@ def limit(system: CoreSystem) -> float:
 def stiff(system: CoreSystem, state: State, found: Suitable, duration: float) -> tuple[bool, str]:
     """Whether a motion from a state that was linearized is stiff, and why or why not."""
     turns, most = float(found.rates.max(initial=0.0)) * duration, limit(system)
-    fastest = f"max|λ|·duration = {turns:.2g} at t = {state.t:.3g} s"
+    fastest = f"max|eigenvalue|*duration = {turns:.2g} at t = {state.t:.3g} s"
     if turns <= most:
         return False, f"{fastest}, at most {most:.3g}"
     turned = followed(system, state, found.matrix, duration)

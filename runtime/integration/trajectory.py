@@ -10,7 +10,7 @@ import numpy as np
 from flexel.base.arguments import number
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
-from flexel.base.shown import Histories
+from flexel.base.shown import Histories, prints
 from flexel.integration.energy_balance import energy_balance
 from flexel.integration.given import check_given, given_in
 from flexel.integration.outcome import Integration
@@ -44,6 +44,7 @@ class Trajectory(Sequence[State]):
     def __iter__(self) -> Iterator[State]:
         return iter(self._states)
 
+    @prints
     def __repr__(self) -> str:
         return (
             f"{type(self).__name__}({len(self)} states, t = {self.t[0]:g} … {self.t[-1]:g} s; {self.message})"

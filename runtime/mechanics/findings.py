@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+from flexel.base.shown import prints
+
 SEVERITIES = ("error", "warning", "note")
 
 
@@ -60,6 +62,7 @@ class CheckReport:
     def _of(self, severity: str) -> tuple[Finding, ...]:
         return tuple(finding for finding in self.findings if finding.severity == severity)
 
+    @prints
     def __repr__(self) -> str:
         width = max((len(finding.subject) for finding in self.findings), default=0)
         lines = [

@@ -18,7 +18,7 @@ from flexel.base.arrays import Array, ComplexArray
 from flexel.base.blas import in_one_thread
 from flexel.base.copies import Portable
 from flexel.base.errors import LinearizationError, ModelError
-from flexel.base.shown import Listing, PrintedTable, counted, listed
+from flexel.base.shown import Listing, PrintedTable, counted, listed, prints
 from flexel.base.units import rate_unit
 from flexel.engine.derivatives import Derivatives, Tangents
 from flexel.mechanics.modes import (
@@ -72,6 +72,7 @@ class LinearizedSystem(Portable):
     transfer: GeometricTransfer = field(repr=False)
     derivatives: Derivatives | Tangents = field(repr=False)
 
+    @prints
     def __repr__(self) -> str:
         others = ((self.kinematic, "kinematic coordinate"), (self.internal, "state of laws"))
         more = [counted(len(names), what) for names, what in others if names]

@@ -12,7 +12,7 @@ from flexel.base.arguments import names as checked_names
 from flexel.base.arguments import not_negative
 from flexel.base.arrays import Array, ComplexArray, Index
 from flexel.base.errors import LinearizationError
-from flexel.base.shown import Listing
+from flexel.base.shown import Listing, prints
 from flexel.engine.solvers import eigenvalues, solved
 from flexel.mechanics.soft import Spectrum
 
@@ -44,6 +44,7 @@ class Mode:
         """Return its line in a table of modes."""
         return self.name, self._eigenvalue, f"{self.hertz:.5g}", self._damping
 
+    @prints
     def __repr__(self) -> str:
         return (
             f"Mode({self.name}: eigenvalue {self._eigenvalue}, {self.hertz:.5g} Hz, damping {self._damping})"
@@ -99,6 +100,7 @@ class Reduced:
     C: Array
     K: Array
 
+    @prints
     def __repr__(self) -> str:
         return f"Reduced({', '.join(self.names)}; M, C, K)"
 

@@ -16,7 +16,7 @@ from scipy.sparse import issparse
 
 from flexel.base.arrays import Array, Index
 from flexel.base.null_space import RANK_TOLERANCE, null_space
-from flexel.base.shown import quoted
+from flexel.base.shown import prints, quoted
 from flexel.derive.spec import LawSpec
 from flexel.model.role_lists import Roles
 from flexel.model.structure import Structure
@@ -53,6 +53,7 @@ class ConstraintReport:
     release: list[str]
     alternatives: dict[str, list[str]] = field(default_factory=dict)
 
+    @prints
     def __repr__(self) -> str:
         lines = [f"{self.dofs} degree(s) of freedom left by the rigid conditions"]
         lines += [f"over-constrained: {_shares(shares)}" for shares in self.redundant]

@@ -13,7 +13,7 @@ from flexel.base.arguments import LARGEST, array
 from flexel.base.arrays import Array
 from flexel.base.copies import Portable
 from flexel.base.errors import CompilerError, ModelError
-from flexel.base.shown import listed
+from flexel.base.shown import listed, prints
 from flexel.derive.spec import ElementSpec, LawSpec
 from flexel.generated.table import ELEMENTS, LAWS
 
@@ -88,6 +88,7 @@ class Instance(_Row):
         """Parameters flattened in the order that the kernels expect."""
         return flatten(self.parameters, self.spec.parameters, f"{self.spec.name} '{self.name}'")
 
+    @prints
     def __repr__(self) -> str:
         return f"Instance({self.name}: {self.spec.name} on {', '.join(self.nodes)}; {_values(self)})"
 
@@ -122,6 +123,7 @@ class LawInstance(_Row):
         """Parameters flattened in the order that the kernels expect."""
         return flatten(self.parameters, self.spec.parameters, f"law '{self.name}'")
 
+    @prints
     def __repr__(self) -> str:
         acts = listed([*self.deformations, *self.slips])
         return f"LawInstance({self.name}: {self.spec.name} on {acts}; {_values(self)})"

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from flexel.base.arguments import unknown
 from flexel.base.arrays import Array
+from flexel.base.shown import prints
 from flexel.model.handle import Handle
 
 COMPONENTS: dict[str, tuple[str, ...]] = {
@@ -43,6 +44,7 @@ class Node(Handle):
     x0: Array
     fixed: NDArray[np.bool_]
 
+    @prints
     def __repr__(self) -> str:
         values = ", ".join(f"{value:.6g}" for value in self.x0)
         held = "fixed" if self.fixed.all() else "partly fixed" if self.fixed.any() else "free"

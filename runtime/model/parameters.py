@@ -22,6 +22,7 @@ import numpy as np
 from flexel.base.arguments import unknown
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
+from flexel.base.shown import prints
 from flexel.derive.spec import FORMULA_NUMBERS
 from flexel.model.instances import Instance, LawInstance, law_labels
 from flexel.model.origin import Origin, split_entry
@@ -139,6 +140,7 @@ class Parameters(Mapping[str, Array]):
     def __getitem__(self, name: str) -> Array:
         return self.value(self.find(name, "parameters"))
 
+    @prints
     def __repr__(self) -> str:
         return f"Parameters({len(self)}: {', '.join(list(self)[:6])}, …)"
 

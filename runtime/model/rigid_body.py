@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from flexel.base.shown import prints
 from flexel.model.handle import Handle
 from flexel.model.node import Node
 
@@ -27,6 +28,7 @@ class RigidBody(Handle):
     frame: Node
     points: Mapping[str, Node]
 
+    @prints
     def __repr__(self) -> str:
         points = f", points {', '.join(self.points)}" if self.points else ""
         return f"RigidBody('{self.name}': {self.point.name}, {self.frame.name}{points})"

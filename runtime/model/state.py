@@ -10,7 +10,7 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
-from flexel.base.shown import PrintedTable, listed
+from flexel.base.shown import PrintedTable, listed, prints
 from flexel.base.units import rate_unit
 from flexel.model.constraints import ConstraintReport, constraint_report
 from flexel.model.instances import Instance
@@ -111,6 +111,7 @@ class State:
         """Names and index maps of the model."""
         return self.evaluation.structure
 
+    @prints
     def __repr__(self) -> str:
         names, values = self.structure.names, self.values
         q = [f"{names[i]} = {values[i]:.6g}" for i in self.roles.dofs]

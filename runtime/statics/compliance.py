@@ -16,7 +16,7 @@ from flexel.base.arguments import names as checked_names
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError, ModelError
 from flexel.base.quaternions import matrix, rotation_rows
-from flexel.base.shown import PrintedTable
+from flexel.base.shown import PrintedTable, prints
 from flexel.model.state import State, own_state
 from flexel.statics.equilibrium import Rest
 from flexel.system import CoreSystem
@@ -53,6 +53,7 @@ class Compliance:
             [(name, *(f"{value:.5g}" for value in row)) for name, row in rows],
         )
 
+    @prints
     def __repr__(self) -> str:
         return self._table().text
 

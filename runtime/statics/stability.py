@@ -18,7 +18,7 @@ from flexel.base.arguments import numbers, whole
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError, ModelError
 from flexel.base.null_space import null_space
-from flexel.base.shown import Listing
+from flexel.base.shown import Listing, prints
 from flexel.model.state import State
 from flexel.statics.eigenproblem import MAX_DENSE_SIZE, SKEW_TOLERANCE, Pencil
 from flexel.statics.equilibrium import Equations, Rest
@@ -54,6 +54,7 @@ class BucklingMode:
         """Return its line in a table of modes."""
         return f"{self.multiplier:.6g}", largest(self.shape)
 
+    @prints
     def __repr__(self) -> str:
         return f"BucklingMode(multiplier {self.multiplier:.6g}: {largest(self.shape)})"
 
@@ -157,6 +158,7 @@ class Vibration:
         """Return its line in a table of vibrations."""
         return f"{self.omega:.6g}", f"{self.hertz:.6g}", largest(self.shape)
 
+    @prints
     def __repr__(self) -> str:
         return f"Vibration({self.omega:.6g} rad/s, {self.hertz:.6g} Hz: {largest(self.shape)})"
 

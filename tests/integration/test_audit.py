@@ -330,7 +330,7 @@ def test_beams_bent_too_far_are_kept_with_the_motion() -> None:
     assert [f"simulate: {warning}" for warning in motion.warnings] == [
         str(warning.message) for warning in said
     ]
-    angle = re.search(r"beams bent by (\S+)° an element at most", motion.verdict)
+    angle = re.search(r"beams bent by (\S+) degrees an element at most", motion.verdict)
     turned = np.degrees(np.abs(np.arcsin(motion["leaf.bend1"])) + np.abs(np.arcsin(motion["leaf.bend2"])))
     assert angle and float(angle[1]) == pytest.approx(turned.max(), rel=5e-3)  # three digits
 

@@ -61,7 +61,7 @@ def test_a_constant_step_leaves_no_meaning_to_tolerances_and_limits(name: str) -
 def test_explicit_is_chosen_where_nothing_speaks_against_it() -> None:
     motion = oscillator().simulate(1.0)
     assert motion.message == (
-        "reached the end (DOP853, chosen because max|λ|·duration = 10 at t = 0 s, at most 3e+04; "
+        "reached the end (DOP853, chosen because max|eigenvalue|*duration = 10 at t = 0 s, at most 3e+04; "
         f"{motion.verdict})"
     )
     assert motion.dense
@@ -117,7 +117,7 @@ def test_a_vibration_up_to_an_event_is_followed() -> None:
     event = fx.Event("passage", lambda state: state["P.x"] - 1.0, terminal=True)
     motion = system.simulate(4.0, events=[event])
     assert motion.message.startswith(
-        "stopped by event 'passage' (DOP853, chosen because max|λ|·duration = 4e+04"
+        "stopped by event 'passage' (DOP853, chosen because max|eigenvalue|*duration = 4e+04"
     )
     assert motion.t[-1] == pytest.approx(np.pi / 1e4, rel=1e-3)
 

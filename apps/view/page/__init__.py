@@ -16,6 +16,7 @@ from flexel.apps.view.page.mode_shapes import mode_data
 from flexel.base.arguments import path_of, whole
 from flexel.base.errors import ModelError
 from flexel.base.files import replacing
+from flexel.base.shown import prints
 
 if TYPE_CHECKING:
     from flexel.integration.trajectory import Trajectory
@@ -114,6 +115,7 @@ class Page:
         self.scene = scene
         self.height = whole(height, "Page", "height", least=100, most=10_000)
 
+    @prints
     def __repr__(self) -> str:
         frames = len(self.scene["t"]) if "t" in self.scene else 0
         return f"Page({self.scene.get('title') or 'Motion'}{f', {frames} frames' if frames else ''})"
