@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import cached_property
 
 from flexel.base.arrays import Array
 from flexel.model.parameters import Parameters
@@ -55,7 +56,7 @@ class System(CoreSystem):
 
     with_parameters = ensembles.with_parameters
 
-    @property
+    @cached_property
     def parameters(self) -> Mapping[str, Array]:
         """Values of all numbers by name, the parts' numbers first; read only.
 

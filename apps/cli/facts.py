@@ -28,7 +28,8 @@ def _packages() -> list[str]:
     lines = [
         line for line in requires("flexel") or () if not re.search(r"extra == .(test|lint|docs|all)\b", line)
     ]
-    return list(dict.fromkeys(re.split(r"[^\w-]", line, maxsplit=1)[0].lower() for line in lines))
+    names = dict.fromkeys(re.split(r"[^\w-]", line, maxsplit=1)[0].lower() for line in lines)
+    return [name for name in names if name != "flexel"]  # which its extras name
 
 
 def _version(name: str) -> str:

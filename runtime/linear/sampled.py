@@ -14,12 +14,14 @@ from flexel.base.arrays import Array, ComplexArray
 from flexel.base.callers import outside
 from flexel.base.copies import Portable
 from flexel.base.errors import LinearizationError, UnsteadyWarning
+from flexel.base.shown import counted, listed, prints
 from flexel.linear.sensors import state_space
 from flexel.mechanics.linearized_system import LinearizedSystem
 from flexel.mechanics.steadiness import UNSTEADY
 from flexel.model.controller import SAME, Controller
 
 CHANGE_TOLERANCE = 1e-6  # relative change of an output or state at an instant that counts as none
+FREE = 1e-13  # what a deviation may change elsewhere in one period, relative to the largest entry: rounding
 MAX_PERIODS = 1000  # of all controllers, until their instants repeat
 
 
@@ -35,24 +37,54 @@ class SampledLoop(Portable):
         and delayed outputs and the controllers' states.
     period : float
         Time after which all instants repeat [s]: the period, or the least common multiple of several.
+    dofs : tuple of str
+        Those of the states that are degrees of freedom, dynamic and kinematic.
     """
 
     state_matrix: Array = field(repr=False)
     states: tuple[str, ...]
     period: float
+    dofs: tuple[str, ...] = ()
+
+    @prints
+    def __repr__(self) -> str:
+        said = f"{'' if self.stable else 'not '}stable"
+        if self.free:
+            said += f", with {counted(len(self.free), 'free motion')}: {listed(self.free)}"
+        return f"SampledLoop(period {self.period:g} s, {counted(len(self.states), 'state')}; {said})"
 
     def eigenvalues(self) -> ComplexArray:
         """Compute the eigenvalues of one period, largest first; the loop is stable if all are below one in magnitude.
 
-        An output that is replaced at each instant adds a zero.
+        An output that is replaced at each instant adds a zero, and each of `free` a one.
         """
         found = np.linalg.eigvals(self.state_matrix).astype(complex)
         return np.asarray(found[np.lexsort((found.imag, -np.abs(found)))])
 
     @property
     def stable(self) -> bool:
-        """Whether every small deviation decays."""
-        return bool(np.all(np.abs(np.linalg.eigvals(self.state_matrix)) < 1.0))
+        """Whether every small deviation decays, but for those of `free`, which stay as they are."""
+        kept = self._bound()
+        return bool(np.all(np.abs(np.linalg.eigvals(self.state_matrix[np.ix_(kept, kept)])) < 1.0))
+
+    @property
+    def free(self) -> tuple[str, ...]:
+        """Coordinates that no force depends on, such as the angle of a shaft in a speed loop: a deviation remains."""
+        kept = set(self._bound())
+        return tuple(name for i, name in enumerate(self.states) if i not in kept)
+
+    def _bound(self) -> list[int]:
+        """Return the states without the free coordinates: a deviation of one of these changes nothing else."""
+        kept = list(range(len(self.states)))
+        while True:
+            A = self.state_matrix[np.ix_(kept, kept)]
+            alone = np.abs(A - np.eye(len(kept))).max(axis=0, initial=0.0) <= FREE * np.abs(A).max(
+                initial=0.0
+            )
+            free = [i for i, apart in zip(kept, alone, strict=True) if apart and self.states[i] in self.dofs]
+            if not free:
+                return kept
+            kept = [i for i in kept if i not in free]
 
 
 def sampled_loop(lin: LinearizedSystem) -> SampledLoop:
@@ -74,7 +106,7 @@ def sampled_loop(lin: LinearizedSystem) -> SampledLoop:
             release = _release(c, places, size)
             changes += [(t + c.lag[1], release) for t in times]
     return SampledLoop(
-        _product(lin.state_matrix, changes, period, SAME * period / max(counts)), lin.states, period
+        _product(lin.state_matrix, changes, period, SAME * period / max(counts)), lin.states, period, lin.dofs
     )
 
 

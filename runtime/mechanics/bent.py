@@ -20,7 +20,7 @@ from flexel.base.arrays import Array, Index
 from flexel.base.callers import outside
 from flexel.base.errors import RangeWarning
 from flexel.mechanics.sheared import shear_angles, sheared
-from flexel.mechanics.turned import AXES, turned
+from flexel.mechanics.turned import AXES, instant, turned
 from flexel.model.instances import Instance
 from flexel.model.structure import Structure
 
@@ -127,8 +127,8 @@ def bent(structure: Structure, times: ArrayLike, e: Array, x: Array) -> Bent:
     others = f" ({far - 1} more by more than {FAR:g}°)" if far > 1 else ""
     count = int(np.ceil(angle / FAR))
     found.append(
-        f"'{names[which]}' is {'twisted' if twists else 'bent'} by {angle:.0f}° at t = "
-        f"{np.asarray(times)[when]:g} s{others}: its moments are about {100 * _error(angle, twists):.2g} % too small; "
+        f"'{names[which]}' is {'twisted' if twists else 'bent'} by {angle:.0f}°"
+        f"{instant(times, int(when))}{others}: its moments are about {100 * _error(angle, twists):.2g} % too small; "
         f"{count} elements in place of each, or rotations='logarithmic', would do"
     )
     return Bent(angle, found)

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 
 from flexel.base.arrays import Array
 from flexel.engine.outputs import element_outputs
+from flexel.mechanics.turned import instant
 from flexel.model.instances import Instance
 from flexel.model.structure import Structure
 
@@ -33,9 +34,9 @@ def sheared(names: Sequence[str], gamma: Array, times: ArrayLike) -> list[str]:
     if not gamma.max(initial=0.0) > FAR:
         return []
     when, which = np.unravel_index(int(np.argmax(gamma)), gamma.shape)
-    angle, t = float(gamma[when, which]), float(np.asarray(times)[when])
+    angle = float(gamma[when, which])
     return [
-        f"'{names[int(which)]}' is sheared by {np.degrees(angle):.1f}° at t = {t:g} s: its moments are "
+        f"'{names[int(which)]}' is sheared by {np.degrees(angle):.1f}°{instant(times, int(when))}: its moments are "
         f"about {100 * np.sin(angle) ** 2:.2g} % too small, whatever the number of elements; "
         "rotations='logarithmic' would do"
     ]

@@ -28,10 +28,16 @@ def turned(structure: Structure, times: ArrayLike, e: Array) -> list[str]:
     when, which = np.unravel_index(int(np.argmax(turns)), turns.shape)
     angle = float(turns[when, which])
     return [
-        f"the ends of '{names[which]}' are turned by {angle:.0f}° from one another at t = "
-        f"{np.asarray(times)[when]:g} s; this may be {360 - angle:.0f}° the other way, since only angles below 180° "
-        "are known within one element: two elements in place of each would do"
+        f"the ends of '{names[which]}' are turned by {angle:.0f}° from one another{instant(times, int(when))}; "
+        f"this may be {360 - angle:.0f}° the other way, since only angles below 180° are known within one "
+        "element: two elements in place of each would do"
     ]
+
+
+def instant(times: ArrayLike, when: int) -> str:
+    """Say at which of several times something is worst; of one state nothing, so that a loop repeats no warning."""
+    t = np.asarray(times)
+    return f" at t = {t[when]:g} s" if t.size > 1 else ""
 
 
 def _turns(structure: Structure, e: Array) -> tuple[list[str], Array]:

@@ -151,6 +151,31 @@ def test_the_limits_of_the_gains_of_a_sampled_double_integrator(side: float) -> 
         assert m.build().linearize().sampled().stable == stable
 
 
+def test_a_speed_loop_is_stable_with_a_free_angle() -> None:
+    """w(k+1) = w(k) (1 - k T/J): the angle enters no force, and a deviation of it remains; up to k = 2 J/T."""
+    for gain, stable in ((5.0, True), (2.1 * 0.5 / T, False)):
+        m = fx.Model()
+        m.rigid_body("rotor", (0, 0), mass=1.0, inertia=0.5)
+        m.revolute("shaft", "ground", "rotor", at=(0, 0))
+        m.controller([[gain]], inputs=["shaft.angle'"], outputs=["shaft.angle"], period=T)
+        loop = m.build().linearize().sampled()
+        assert largest_first(loop.eigenvalues())[:2] == pytest.approx(
+            sorted([1.0, abs(1 - gain * T / 0.5)])[::-1]
+        )
+        assert loop.stable == stable and loop.free == ("shaft.angle",)
+        assert ("; stable, with 1 free motion: shaft.angle)" in repr(loop)) == stable
+
+
+def test_a_rate_that_nothing_resists_is_not_stable() -> None:
+    """It is the angle that may be free: a mass that drifts leaves its place."""
+    m = fx.Model()
+    m.rigid_body("rotor", (0, 0), mass=1.0, inertia=0.5)
+    m.revolute("shaft", "ground", "rotor", at=(0, 0))
+    m.controller([[0.0]], inputs=["shaft.angle'"], outputs=["shaft.angle"], period=T)
+    loop = m.build().linearize().sampled()
+    assert not loop.stable and loop.free == ("shaft.angle",)
+
+
 def test_what_a_sampled_loop_measures_may_be_an_acceleration() -> None:
     """Acceleration just before the instant: u(k) = -(M/2) a, a = u(k-1)/M, so that u halves and changes its sign."""
     m = carriage()
