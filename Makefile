@@ -12,6 +12,7 @@ OUT ?= out
 BENCH ?=
 MARKS ?= not campaign and not long
 PYTEST ?= -n 2 --dist loadfile --no-loadscope-reorder --durations=10
+PORTABLE ?= 1
 QUOTED ?= bicycle warping cardan cylinder slider-crank flexures rope contact hoist vehicle motorcycle tolerances stability-map
 TYPED := build/typed
 # The elements of the bicycle; `make check` derives all, `flexel verify` checks all.
@@ -155,10 +156,10 @@ strict:
 	printf '%s\n' generated/*.c runtime/engine/*.c | xargs -P 2 -n 1 $(CC) $(WARNINGS) -o /dev/null -c
 	printf '%s\n' generated/*.c | xargs -P 2 -n 1 $(CC) $(WARNINGS) -Dreal='double complex' -fsyntax-only
 
-# For every processor, where a build from source is for this one only.
+# For every processor, where a build from source is for this one only; PORTABLE=0 makes a wheel for this one, too.
 wheel: $(VENV)/builders
 	rm -rf build dist
-	FLEXEL_PORTABLE=1 $(VENV)/bin/pip wheel --quiet --no-deps --no-build-isolation --wheel-dir dist .
+	FLEXEL_PORTABLE=$(PORTABLE) $(VENV)/bin/pip wheel --quiet --no-deps --no-build-isolation --wheel-dir dist .
 	@ls dist
 
 venv: $(VENV)/installed-test

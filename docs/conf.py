@@ -1,5 +1,6 @@
 """Configuration of Sphinx. The generated pages are written first, by pages.py in this folder."""
 
+import logging
 import sys
 from pathlib import Path
 
@@ -20,6 +21,8 @@ extensions = [
     "sphinx_gallery.gen_gallery",
     "mathml",
 ]
+# a package of the theme sets the root logger to INFO when it is imported
+logging.getLogger("flexel").setLevel(logging.WARNING)
 sphinx_gallery_conf = {
     "examples_dirs": "../examples/gallery",
     "gallery_dirs": "_generated/gallery",

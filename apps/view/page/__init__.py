@@ -117,8 +117,7 @@ class Page:
 
     @prints
     def __repr__(self) -> str:
-        frames = len(self.scene["t"]) if "t" in self.scene else 0
-        return f"Page({self.scene.get('title') or 'Motion'}{f', {frames} frames' if frames else ''})"
+        return f"Page({self.scene.get('title') or 'Motion'})"
 
     def write(self, path: str | Path) -> Path:
         """Write the page to a file; see `write_page`."""
