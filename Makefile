@@ -126,7 +126,7 @@ bench: $(VENV_BENCH)/installed-peers
 # Pages of docs/ and those that docs/pages.py writes about elements, laws and public names; a warning is an error.
 # `make docs` also computes the numbers that pages quote again, of all systems but those that take a minute, which the tests
 # compute.
-docs: $(VENV)/installed-docs $(VENV)/installed-plot $(VENV)/installed-sundials
+docs: $(VENV)/installed-docs $(VENV)/installed-test
 	$(VENV)/bin/python tools/quoted.py --check --run $(QUOTED)
 	@$(MAKE) --no-print-directory pages
 
