@@ -56,7 +56,7 @@ class System(CoreSystem):
 
     with_parameters = ensembles.with_parameters
 
-    @cached_property
+    @property
     def parameters(self) -> Mapping[str, Array]:
         """Values of all numbers by name, the parts' numbers first; read only.
 
@@ -64,6 +64,11 @@ class System(CoreSystem):
         from these in elements and laws has names too: springs and dampers have ``stiffness``, ``damping`` and
         ``preload`` after the name of what they act on, ``strut.elongation.stiffness``.
         """
+        return self._parameters
+
+    @cached_property
+    def _parameters(self) -> Parameters:
+        """They are found once: a large model has many names."""
         return Parameters(self.structure, self.origin)
 
     def summary(self) -> Summary:

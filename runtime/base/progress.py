@@ -48,18 +48,16 @@ def seen(progress: bool | None, owner: str) -> bool:
     return flag(progress, owner, "progress")
 
 
-def progress_bar(
-    shown: bool, total: float, unit: str, layout: str | None = None, desc: str | None = None
-) -> Any:
+def progress_bar(shown: bool, total: float, unit: str, layout: str | None = None) -> Any:
     """Return a progress bar with `update`, `close` and the progress `n`, or a hidden one."""
     if not shown:
         return Hidden()
     if in_notebook() and importlib.util.find_spec("ipywidgets"):
         from tqdm.notebook import tqdm as widget
 
-        return widget(total=total, unit=unit, leave=False, desc=desc, delay=DELAY_S)
+        return widget(total=total, unit=unit, leave=False, delay=DELAY_S)
     delay = DELAY_S if in_notebook() else 0
-    return tqdm(total=total, unit=unit, leave=False, bar_format=layout, desc=desc, delay=delay)
+    return tqdm(total=total, unit=unit, leave=False, bar_format=layout, delay=delay)
 
 
 def followed(items: Iterable[T], shown: bool, count: int, unit: str) -> Iterator[T]:

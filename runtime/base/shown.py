@@ -9,8 +9,7 @@ from functools import wraps
 from html import escape
 from typing import Any, ClassVar, Protocol, TypeVar, cast
 
-import numpy as np
-from numpy.typing import NDArray
+from flexel.base.arrays import Array
 
 MAX_ROWS_SHOWN = 60  # rows of a table that are shown; the remaining ones are counted
 
@@ -77,10 +76,10 @@ def prints(method: F) -> F:
     return cast(F, text)
 
 
-class Histories(dict[str, NDArray[np.float64]]):
+class Histories(dict[str, Array]):
     """Arrays over time by name, all in one unit; shown by their ranges."""
 
-    def __init__(self, unit: str, values: Mapping[str, NDArray[np.float64]]) -> None:
+    def __init__(self, unit: str, values: Mapping[str, Array]) -> None:
         super().__init__(values)
         self.unit = unit
 
@@ -90,7 +89,7 @@ class Histories(dict[str, NDArray[np.float64]]):
         return f"Histories({', '.join(ranges)})"
 
 
-def _range(values: NDArray[np.float64]) -> str:
+def _range(values: Array) -> str:
     """Return the least and the largest of some values."""
     if not values.size:
         return "(empty)"
