@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, overload
+from typing import TYPE_CHECKING, Any, Unpack, overload
 
 import numpy as np
 
@@ -14,12 +14,13 @@ from flexel.base.errors import ModelError
 from flexel.base.outside import Dataset, Figure
 from flexel.base.shown import prints
 from flexel.results.flexure_step import FlexureStep
-from flexel.results.motion import Motion
+from flexel.results.motion import Motion, with_options_of
 from flexel.results.saved.archive import integration_of, record_of
 from flexel.results.saved.record import Record, Variable, require
 from flexel.results.saved.record_files import write
 
 if TYPE_CHECKING:
+    from flexel.apps.view.options import MotionOptions
     from flexel.apps.view.page import Page
 
 
@@ -180,13 +181,14 @@ class Flexure:
         return self.motion.plot_shapes(*chosen, path=path, **own | options)
 
     @overload
-    def view(self, path: str | Path, **options: Any) -> Path: ...
+    def view(self, path: str | Path, **options: Unpack[MotionOptions]) -> Path: ...
 
     @overload
-    def view(self, path: None = None, **options: Any) -> Page: ...
+    def view(self, path: None = None, **options: Unpack[MotionOptions]) -> Page: ...
 
+    @with_options_of(Motion.view)
     def view(self, path: str | Path | None = None, **options: Any) -> Path | Page:
-        """Make an HTML page that shows the steps in any browser; path and options as in `Motion.view`."""
+        """Make an HTML page that shows the steps in any browser, offline."""
         return self.motion.view(path, **options)
 
     # -- tables and files ------------------------------------------------------------------------

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import fields
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, overload
+from typing import TYPE_CHECKING, Any, Unpack, overload
 
 from flexel.base.arguments import flag
 from flexel.base.arrays import StateSpace
@@ -17,7 +17,10 @@ from flexel.linear.sensors import state_space
 from flexel.mechanics.linearized_system import LinearizedSystem
 
 if TYPE_CHECKING:
+    from flexel.apps.view.options import ModeOptions
     from flexel.apps.view.page import Page
+    from flexel.apps.view.scene import View
+    from flexel.mechanics.modes import Mode
 
 
 class Linearization(LinearizedSystem):
@@ -170,24 +173,42 @@ class Linearization(LinearizedSystem):
         )
 
     @overload
-    def view(self, path: str | Path, **options: Any) -> Path: ...
+    def view(self, path: str | Path, **options: Unpack[ModeOptions]) -> Path: ...
 
     @overload
-    def view(self, path: None = None, **options: Any) -> Page: ...
+    def view(self, path: None = None, **options: Unpack[ModeOptions]) -> Page: ...
 
-    def view(self, path: str | Path | None = None, **options: Any) -> Path | Page:
+    def view(
+        self,
+        path: str | Path | None = None,
+        modes: Sequence[Mode] | None = None,
+        *,
+        view: View | None = None,
+        title: str = "",
+        caption: str = "",
+        **unknown: Any,
+    ) -> Path | Page:
         """Make an HTML page that shows the modes in any browser, with amplitude and phase.
 
         Parameters
         ----------
         path : path, optional
             Ends in ``.html``.  Without it the page is returned, which a notebook shows as the result of a cell.
-        **options
-            ``modes``, ``view`` (a `View`), ``title`` and ``caption``; see `flexel.apps.view.page.mode_data`.
+        modes : sequence of Mode, optional
+            Those of `modes` to show; by default the slowest twelve.
+        view : View, optional
+            Camera, window and sketches.
+        title, caption : str
+            Written above the picture.
+
+        Raises
+        ------
+        ModelError
+            An unknown option, with what to write instead; a mode of another model.
         """
         from flexel.apps.view.page import view_modes
 
-        return view_modes(self, path, **options)
+        return view_modes(self, path, modes, view=view, title=title, caption=caption, **unknown)
 
     @in_one_thread
     def to_control(self, inputs: Sequence[str], outputs: Sequence[str] = (), *, name: str = "flexel") -> Any:

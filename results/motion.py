@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from inspect import getdoc, signature
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, overload
+from typing import TYPE_CHECKING, Any, TypeVar, Unpack, overload
 
 from flexel.base.arguments import path_of
 from flexel.base.outside import DataFrame, Dataset, Figure
@@ -12,8 +13,25 @@ from flexel.integration.trajectory import Trajectory
 
 if TYPE_CHECKING:
     from flexel.apps.view.animation import Animation
+    from flexel.apps.view.options import MotionOptions
     from flexel.apps.view.page import Page
+    from flexel.apps.view.scene import View
     from flexel.mechanics.linearized_system import LinearizedSystem
+
+
+F = TypeVar("F", bound=Callable[..., Any])
+
+
+def with_options_of(method: Callable[..., Any]) -> Callable[[F], F]:
+    """Show the signature and the options of another method, to which a method passes all that it is given."""
+
+    def shown(function: F) -> F:
+        told = getdoc(method) or ""
+        function.__signature__ = signature(method)  # type: ignore[attr-defined]
+        function.__doc__ = f"{getdoc(function)}\n\n{told[told.index('Parameters') :]}"
+        return function
+
+    return shown
 
 
 class Motion(Trajectory):
@@ -149,21 +167,46 @@ class Motion(Trajectory):
         return animation(self, **given) if path is None else animate(self, path_of(path, "animate"), **given)
 
     @overload
-    def view(self, path: str | Path, **options: Any) -> Path: ...
+    def view(self, path: str | Path, **options: Unpack[MotionOptions]) -> Path: ...
 
     @overload
-    def view(self, path: None = None, **options: Any) -> Page: ...
+    def view(self, path: None = None, **options: Unpack[MotionOptions]) -> Page: ...
 
-    def view(self, path: str | Path | None = None, **options: Any) -> Path | Page:
+    def view(
+        self,
+        path: str | Path | None = None,
+        *,
+        frames: int = 301,
+        between: tuple[float, float] | None = None,
+        view: View | None = None,
+        title: str = "",
+        caption: str = "",
+        plots: Sequence[str] | None = None,
+        slower: float | None = None,
+        progress: bool | None = None,
+        **unknown: Any,
+    ) -> Path | Page:
         """Write an HTML page that shows the motion in any browser, offline.
 
         Parameters
         ----------
         path : path, optional
             Ends in ``.html``.  Without it the page is returned, which a notebook shows as the result of a cell.
-        **options
-            ``view`` (a `View`: camera, node to follow, trails, sketches), ``frames``, ``between``, ``title``,
-            ``caption``, ``plots``, ``slower`` and ``progress``; see `flexel.apps.view.page.scene_data`.
+        frames : int
+            Equally spaced in time; for a motion without dense output, that many of its stored states.
+        between : (start, end), optional
+            Times [s] of the part to show; all by default.
+        view : View, optional
+            Camera, window, node to follow, trails and sketches.
+        title, caption : str
+            Written above the picture; the title is the time of the motion by default.
+        plots : sequence of str, optional
+            Quantities in the plot strip when the page opens, by the names of `series`; by default degrees of freedom
+            that a person can see.  The page offers more.
+        slower : float, optional
+            Seconds of picture per second of motion; by default chosen so that the motion can be followed.
+        progress : bool, optional
+            Progress bar; by default where stderr is a terminal, and in a notebook.
 
         Raises
         ------
@@ -176,7 +219,19 @@ class Motion(Trajectory):
         """
         from flexel.apps.view.page import view_motion
 
-        return view_motion(self, path, **options)
+        return view_motion(
+            self,
+            path,
+            frames=frames,
+            between=between,
+            view=view,
+            title=title,
+            caption=caption,
+            plots=plots,
+            slower=slower,
+            progress=progress,
+            **unknown,
+        )
 
     def page(self, **options: Any) -> Page:
         """Return the same page in memory, which a notebook shows as the result of a cell; options as in `view`."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, overload
+from typing import TYPE_CHECKING, Any, Unpack, overload
 
 import numpy as np
 
@@ -14,13 +14,14 @@ from flexel.base.blas import in_one_thread
 from flexel.base.errors import ModelError
 from flexel.base.outside import DataFrame, Dataset, Figure
 from flexel.linear.harmonics import Coefficients, PeriodicVibration
-from flexel.results.motion import Motion
+from flexel.results.motion import Motion, with_options_of
 from flexel.results.saved.archive import integration_of, record_of
 from flexel.results.saved.exports import motion_frame
 from flexel.results.saved.record import Record, Variable, require
 from flexel.results.saved.record_files import write
 
 if TYPE_CHECKING:
+    from flexel.apps.view.options import MotionOptions
     from flexel.apps.view.page import Page
 
 PARTS = ("real", "imaginary")
@@ -109,13 +110,14 @@ class PeriodicSolution:
         return self.motion.plot_shapes(*times, path=path, **options)
 
     @overload
-    def view(self, path: str | Path, **options: Any) -> Path: ...
+    def view(self, path: str | Path, **options: Unpack[MotionOptions]) -> Path: ...
 
     @overload
-    def view(self, path: None = None, **options: Any) -> Page: ...
+    def view(self, path: None = None, **options: Unpack[MotionOptions]) -> Page: ...
 
+    @with_options_of(Motion.view)
     def view(self, path: str | Path | None = None, **options: Any) -> Path | Page:
-        """Make an HTML page that shows one period in any browser; path and options as in `Motion.view`."""
+        """Make an HTML page that shows one period in any browser, offline."""
         return self.motion.view(path, **options)
 
     # -- tables and files ------------------------------------------------------------------------

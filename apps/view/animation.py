@@ -144,8 +144,8 @@ def animate(
 
 def _whole(states: list[State]) -> View:
     """Return a view whose window contains the whole motion."""
-    places = np.vstack([painted(drawing.shapes(state)) for state in states])
-    low, high = places.min(axis=0), places.max(axis=0)
+    places = painted(drawing.shapes(states))
+    low, high = places.min(axis=(0, 1)), places.max(axis=(0, 1))
     middle = (low + high) / 2
     return View(centre=tuple(middle.tolist()), span=1.1 * max(float(np.max(high - low)), 1e-9))
 

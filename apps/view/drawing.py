@@ -1,26 +1,27 @@
-"""Collects the geometry of a mechanism at one instant: the shapes of all its parts, for any kind of picture.
+"""Collects the geometry of a mechanism: the shapes of all its parts in one state or in many, for any kind of picture.
 
-Everything is read from the structure's instances and a state; painting is done by
+Everything is read from the structure's instances and from states; painting is done by
 `flexel.apps.view.scene` (matplotlib) and `flexel.apps.view.page` (a page with a viewer).
 """
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 
 import numpy as np
 
-from flexel.apps.view.painters import LINES, PAINTERS, declared, rolls
-from flexel.apps.view.primitives import Shape, axes_of, place, turned
+from flexel.apps.view.painters import LINES, PAINTERS, body_points, declared, rolls
+from flexel.apps.view.poses import Poses, axes_from
+from flexel.apps.view.primitives import Shape, posed, spatial
 from flexel.apps.view.rope_painters import is_ball, sheaves
 from flexel.apps.view.solids import Sketch, Solid
 from flexel.apps.view.spring_painters import guides, springs
 from flexel.base.arrays import Array
-from flexel.base.quaternions import matrix
 from flexel.model.applied_loads import Loads
 from flexel.model.instances import Instance
-from flexel.model.state import Geometry, State
+from flexel.model.state import State
 from flexel.parts.looks import Look
 
 __all__ = ["Shape", "Sketch", "Solid", "loads", "planar", "roads", "shapes", "upward"]
@@ -42,34 +43,75 @@ NEEDS = {
 IN_SPACE = {"hinge": {"axes"}}
 
 
-def shapes(state: State, sketches: Sequence[Sketch | Solid] = ()) -> list[Shape]:
-    """Return all parts of the model at a state: elements in order of declaration, then sketches, then nodes."""
-    shown = [
-        instance for instance in state.structure.instances if "." not in instance.name
-    ]  # the others are sensors
-    # a body that has a sketch or is a wheel or a ball needs no box
-    outlined = {sketch.frame for sketch in sketches} | {
-        instance.nodes[1] for instance in shown if rolls(instance) or is_ball(instance)
-    }
+def shapes(states: State | Sequence[State], sketches: Sequence[Sketch | Solid] = ()) -> list[Shape]:
+    """Return all parts of the model: elements in order of declaration, then sketches, then nodes.
+
+    In several states of one model, the arrays of the shapes have these along their first axis; see `Shape`.
+    """
+    poses = Poses(states)
+    nodes = poses.structure.nodes
+    # the others are sensors
+    shown = [instance for instance in poses.structure.instances if "." not in instance.name]
+    contacts = [instance for instance in shown if instance.spec.family == "contact"]
+    # a body that has a sketch or is a wheel, a ball or a sheave needs no box
+    outlined = {sketch.frame for sketch in sketches}
+    outlined |= {instance.nodes[1] for instance in shown if rolls(instance) or is_ball(instance)}
+    outlined |= {instance.nodes[-1] for instance in contacts if "radius" in instance.parameters}
     found: list[Shape] = []
-    state = replace(state, evaluation=_Geometry(state.evaluation))
     for instance in shown:
         boxed = outlined.isdisjoint(instance.nodes)
-        found += [part for part in _element(state, instance) if boxed or part.style != "box"]
-    held = list(springs(state))
+        for part in _element(poses, instance):
+            if part.style != "box":
+                found.append(part)
+            elif boxed:
+                other = len(set(body_points(poses.structure, instance.nodes[1]))) > 1
+                found.append(replace(part, aside=other))
+    held = list(springs(poses))
     sprung = {part.name for part in held if part.style in ("spring", "damper")}
     found = [
         part for part in found if part.style != "bar" or part.name not in sprung
     ]  # drawn as a coil instead
-    found += [*held, *guides(state)]
-    found += sheaves(state, (instance for instance in shown if instance.spec.family == "contact"))
+    found += [*held, *guides(poses)]
+    found += sheaves(poses, contacts)
     found = _dressed(found, shown)
-    found += [_sketch(state, sketch) for sketch in sketches]
-    for node in state.structure.nodes:
+    found += [_sketch(poses, sketch) for sketch in sketches]
+    within = _within_lines(shown)
+    for node in nodes:
         if node.kind.endswith("point") and "." not in node.name:
             style = "fixed" if node.fixed.all() else "joint"
-            found.append(Shape(style, node.name, (place(state, node.name)[None],)))
-    return found
+            place = poses.place(node.name)[..., None, :]
+            found.append(Shape(style, node.name, (place,), aside=style == "joint" and node.name in within))
+    return [_in_all(part, poses.shape) for part in found]
+
+
+def _within_lines(instances: Sequence[Instance]) -> set[str]:
+    """Return points that two or more ropes or flexible beams share, and nothing else but what they touch."""
+    lines: Counter[str] = Counter()
+    others: set[str] = set()
+    for instance in instances:
+        if any(output.draws in ("rope", "beam") for output in instance.spec.outputs):
+            lines.update(instance.nodes)
+        elif instance.spec.family != "contact":
+            others.update(instance.nodes)
+    return {name for name, count in lines.items() if count > 1} - others
+
+
+def _in_all(shape: Shape, states: tuple[int, ...]) -> Shape:
+    """Give all arrays of a shape the axis of the states, along which some are constant."""
+
+    def full(values: Array, axes: int) -> Array:
+        return np.broadcast_to(values, (*states, *values.shape[values.ndim - axes :]))
+
+    if not states:
+        return shape
+    return replace(
+        shape,
+        lines=tuple(full(line, 2) for line in shape.lines),
+        pose=None if shape.pose is None else (full(shape.pose[0], 1), full(shape.pose[1], 2)),
+        across=None if shape.across is None else full(shape.across, 2),
+        force=None if shape.force is None else full(shape.force, 1),
+        values={name: full(values, 1) for name, values in shape.values.items()},
+    )
 
 
 def _dressed(found: Sequence[Shape], instances: Sequence[Instance]) -> list[Shape]:
@@ -84,37 +126,6 @@ def _dressed(found: Sequence[Shape], instances: Sequence[Instance]) -> list[Shap
             opacity = 1.0 if look.opacity is None else look.opacity
             dressed.append(replace(shape, colour=look.colour, opacity=opacity))
     return dressed
-
-
-class _Geometry:
-    """The geometry of the state in a picture, evaluated once for all parts."""
-
-    def __init__(self, geometry: Geometry) -> None:
-        self.structure = geometry.structure
-        self._geometry = geometry
-        self._found: tuple[Array, Array] | None = None
-        self._reported: dict[int, tuple[dict[str, Array], int]] = {}
-
-    def position(self, x: Array) -> tuple[Array, Array]:
-        """Return deformations and J; see `flexel.model.state.Geometry`."""
-        if self._found is None:
-            self._found = self._geometry.position(x)
-        return self._found
-
-    def outputs(self, elements: Sequence[Instance], x: Array, e: Array, stresses: Array) -> dict[str, Array]:
-        """Return the outputs of elements of one type; all of a type are evaluated together."""
-        first = elements[0]
-        if id(first) not in self._reported:
-            same = [
-                instance
-                for instance in self.structure.instances
-                if instance.spec is first.spec and instance.code is first.code
-            ]
-            found = self._geometry.outputs(same, x, e, stresses)
-            self._reported |= {id(element): (found, i) for i, element in enumerate(same)}
-        found, _ = self._reported[id(first)]
-        places = [self._reported[id(element)][1] for element in elements]
-        return {name: values[:, places] for name, values in found.items()}
 
 
 def roads(state: State) -> list[tuple[Array, float]]:
@@ -143,12 +154,12 @@ def planar(state: State) -> bool:
     return all(node.kind.startswith("planar") for node in state.structure.nodes)
 
 
-def _element(state: State, instance: Instance) -> Iterator[Shape]:
+def _element(poses: Poses, instance: Instance) -> Iterator[Shape]:
     """Return the shapes of one element; none for norms and sensors; a line if a user's element lacks data."""
     word = instance.spec.picture if _complete(instance) else ""
-    yield from PAINTERS[word](state, instance)
+    yield from PAINTERS[word](poses, instance)
     if word not in LINES:
-        yield from declared(state, instance)
+        yield from declared(poses, instance)
 
 
 def _complete(instance: Instance) -> bool:
@@ -158,27 +169,25 @@ def _complete(instance: Instance) -> bool:
     return needed <= instance.parameters.keys() | {output.name for output in spec.outputs}
 
 
-def _sketch(state: State, sketch: Sketch | Solid) -> Shape:
-    start, R = np.append(state.structure.node(sketch.point).x0, 0.0)[:3], np.eye(3)
+def _sketch(poses: Poses, sketch: Sketch | Solid) -> Shape:
+    start, R = spatial(poses.structure.node(sketch.point).x0), np.eye(3)
     if sketch.frame is not None:
-        x0 = state.structure.node(sketch.frame).x0
-        R = axes_of(state, sketch.frame) @ (turned(float(x0[0])) if x0.size == 1 else matrix(x0)).T
-    origin, name = place(state, sketch.point), sketch.frame or sketch.point
-    lines = tuple(origin + (line - start) @ R.T for line in sketch.lines)
+        R = poses.axes(sketch.frame) @ axes_from(poses.structure.node(sketch.frame).x0).T
+    pose, name = (poses.place(sketch.point), R), sketch.frame or sketch.point
+    lines = tuple(posed(line - start, pose) for line in sketch.lines)
     if isinstance(sketch, Sketch):
-        return Shape("sketch", name, lines, (origin, R))
+        return Shape("sketch", name, lines, pose)
     vertices, triangles = sketch.surface
-    return Shape(
-        "solid", name, lines, (origin, R), surface=(vertices - start, triangles), colour=sketch.colour
-    )
+    return Shape("solid", name, lines, pose, surface=(vertices - start, triangles), colour=sketch.colour)
 
 
-def loads(state: State, given: Loads) -> list[Shape]:
+def loads(states: Sequence[State], given: Loads) -> list[Shape]:
     """Return an arrow for each point on which loads act, of one length with the forces of contacts."""
-    s, nodal = state.structure, given.at(state.t)[0]
+    poses, s = Poses(states), states[0].structure
+    nodal = np.array([given.at(state.t)[0] for state in states])
     found, loaded = [], {s.names[i] for i in given.quantities}
     for node in s.nodes:
         if node.kind.endswith("point") and loaded.intersection(node.coordinates):
-            force = np.append(nodal[s.places(node.name)], 0.0)[:3]
-            found.append(Shape("load", node.name, (place(state, node.name)[None],), force=force))
+            force = spatial(nodal[:, s.places(node.name)])
+            found.append(Shape("load", node.name, (poses.place(node.name)[..., None, :],), force=force))
     return found

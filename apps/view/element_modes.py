@@ -15,7 +15,8 @@ import numpy as np
 from flexel.apps.view import drawing
 from flexel.apps.view.deflected import GREY, at_coordinates
 from flexel.apps.view.figures import COLOURS, figure, save, unit_text
-from flexel.apps.view.primitives import axes_of, extent, place
+from flexel.apps.view.poses import Poses
+from flexel.apps.view.primitives import extent
 from flexel.apps.view.scene import PAINT, View, display_axes
 from flexel.base.arrays import Array, Index
 from flexel.base.shown import prints
@@ -281,7 +282,7 @@ class _Pen:
         for origin, nodes in _places(state, instance):
             turning = [node for node in nodes if s.node(node).kind in ("frame", "planar_angle")]
             for node, style in zip(turning, ("-", ":"), strict=False):
-                arms = axes_of(state, node).T[: 2 if self._flat else 3]
+                arms = Poses(state).axes(node).T[: 2 if self._flat else 3]
                 for letter, arm, colour in zip("xyz", arms, ARMS, strict=False):
                     end = origin + self._arm * arm
                     axes.plot(
@@ -334,11 +335,11 @@ def _places(state: State, instance: Instance) -> Iterator[tuple[Array, list[str]
 
     Orientations without a point are at the first point of the model, or at the origin, all together.
     """
-    s, named = state.structure, list(instance.nodes)
+    s, named, place = state.structure, list(instance.nodes), Poses(state).place
     points = [node.name for node in s.nodes if node.kind.endswith("point")]
-    somewhere = place(state, points[0]) if points else np.zeros(3)
+    somewhere = place(points[0]) if points else np.zeros(3)
     while named:
         nodes = [named.pop(0)]
         while named and not s.node(named[0]).kind.endswith("point"):
             nodes.append(named.pop(0))
-        yield (place(state, nodes[0]) if s.node(nodes[0]).kind.endswith("point") else somewhere), nodes
+        yield (place(nodes[0]) if s.node(nodes[0]).kind.endswith("point") else somewhere), nodes

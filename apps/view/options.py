@@ -1,15 +1,38 @@
-"""Checks options that a method passes on to a picture, by name, where the user gives them."""
+"""Options of pictures: their names and types, and a check of those that a method passes on."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import fields
 from inspect import Parameter, signature
-from typing import Any
+from typing import Any, TypedDict
 
 from flexel.apps.view.scene import View
 from flexel.base.arguments import unknown
 from flexel.base.errors import ModelError
+
+
+class MotionOptions(TypedDict, total=False):
+    """Options of a page that shows a motion; see `flexel.apps.view.page.scene_data`."""
+
+    frames: int
+    between: tuple[float, float] | None
+    view: View | None
+    title: str
+    caption: str
+    plots: Sequence[str] | None
+    slower: float | None
+    progress: bool | None
+
+
+class ModeOptions(TypedDict, total=False):
+    """Options of a page that shows modes; see `flexel.apps.view.page.mode_data`."""
+
+    modes: Sequence[Any] | None
+    view: View | None
+    title: str
+    caption: str
+
 
 METHOD_PARAMETERS = ("path", "modes")  # parameters that belong to the methods
 

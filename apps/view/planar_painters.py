@@ -6,10 +6,10 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from flexel.apps.view.primitives import Shape, frame_of, reported
+from flexel.apps.view.poses import Poses
+from flexel.apps.view.primitives import Shape, frame_of, posed, segment
 from flexel.base.arrays import Array
 from flexel.model.instances import Instance
-from flexel.model.state import State
 
 RIM = np.linspace(0, 2 * np.pi, 49)
 
@@ -21,26 +21,27 @@ def disc(name: str, centre: Array, axes: Array, radius: float) -> Iterator[Shape
     ----------
     name : str
         Of the element.
-    centre : ndarray (3,)
+    centre : ndarray (..., 3)
         [m]
-    axes : ndarray (3, 3)
+    axes : ndarray (..., 3, 3)
         Unit vectors in columns.
     radius : float
         [m]; its sign does not matter.
     """
     ring = abs(radius) * np.column_stack([np.cos(RIM), np.sin(RIM), 0 * RIM])
-    yield Shape("rim", name, (centre + ring @ axes.T,), (centre, axes))
-    yield Shape("valve", name, (np.array([centre, centre + abs(radius) * axes[:, 0]]),), (centre, axes))
+    yield Shape("rim", name, (posed(ring, (centre, axes)),), (centre, axes))
+    spoke = segment(centre, centre + abs(radius) * axes[..., 0])
+    yield Shape("valve", name, (spoke,), (centre, axes))
 
 
-def wheel(state: State, instance: Instance) -> Iterator[Shape]:
+def wheel(poses: Poses, instance: Instance) -> Iterator[Shape]:
     """Draw a wheel that rolls upright on the plane; its axle is at mid-height, in the plane of the picture."""
-    yield from disc(instance.name, *frame_of(reported(state, instance)), _number(instance, "radius"))
+    yield from disc(instance.name, *frame_of(poses.outputs(instance)), _number(instance, "radius"))
 
 
-def gears(state: State, instance: Instance) -> Iterator[Shape]:
+def gears(poses: Poses, instance: Instance) -> Iterator[Shape]:
     """Draw both pitch circles, or the pulleys of a belt."""
-    outputs = reported(state, instance)
+    outputs = poses.outputs(instance)
     for end in ("p", "q"):
         pose = frame_of(outputs, (f"origin_{end}", f"axes_{end}"))
         yield from disc(instance.name, *pose, _number(instance, f"radius_{end}"))

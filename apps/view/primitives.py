@@ -8,10 +8,8 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from flexel.base.arrays import Array, Index
-from flexel.base.quaternions import matrix
 from flexel.model.instances import Instance
 from flexel.model.profiles import Section
-from flexel.model.state import State
 from flexel.model.structure import Structure
 from flexel.parts.closed_profile import ClosedProfile
 from flexel.parts.looks import Look
@@ -26,7 +24,10 @@ CORNERS = 16  # vertices of a round section
 
 @dataclass(frozen=True)
 class Shape:
-    """Lines and marks of one part, painted in one style.
+    """Lines and marks of one part, painted in one style, in one state or in several.
+
+    In several states, every array but `outline` and `surface` has them along its first axis: (..., k, 3) is (k, 3) for
+    one state, and (states, k, 3) for several.
 
     Attributes
     ----------
@@ -35,24 +36,27 @@ class Shape:
         joint, fixed, sketch, solid, force or load; springs and dampers are two points.
     name : str
         Name of the element or node.
-    lines : tuple of ndarray (k, 3)
+    lines : tuple of ndarray (..., k, 3)
         Polylines in global axes [m]; a mark is a polyline of one point.
-    pose : (origin (3,), axes (3, 3)), optional
+    pose : (origin (..., 3), axes (..., 3, 3)), optional
         Pose of the body that carries the lines, if they do not deform.
     outline : ndarray (k, 2), optional
         Corners (y, z) of the section that is swept along the lines [m]; thin lines without.
-    across : ndarray (2, 3), optional
+    across : ndarray (..., 2, 3), optional
         Directions of the section's y axis at the ends of the lines; any, if they do not matter.
-    force : ndarray (3,), optional
+    force : ndarray (..., 3), optional
         A force on the point that is the only vertex [N].
     values : mapping of str to ndarray
-        Quantities for colouring the line: values at equal steps along it, or one for the whole line.
+        Quantities (..., k) for colouring the line: values at equal steps along it, or one for the whole line.
     surface : (vertices (k, 3), triangles (t, 3)), optional
         A surface that the pose carries, in the body's axes [m].
     colour : str, optional
         Its own colour.
     opacity : float
         From 0 to 1.
+    aside : bool
+        Shown in the viewer only when asked for: points within a rope or a row of flexible beams, and boxes of inertia
+        of bodies that have a shape by other parts.
     """
 
     style: str
@@ -66,32 +70,16 @@ class Shape:
     surface: tuple[Array, Index] | None = None
     colour: str | None = None
     opacity: float = 1.0
+    aside: bool = False
 
 
 UNITS = {
     "tension": "N",
     "bending moment": "N m",
+    "normal stress": "Pa",
     "strain": "-",
     "bending strain": "-",
 }  # of the values used for colouring
-
-
-def place(state: State, node: str) -> Array:
-    """Return the position (3,) of a point; planar points lie in z = 0."""
-    x = state.position(node)
-    return np.append(x, 0.0) if x.size == 2 else x
-
-
-def turned(angle: float) -> Array:
-    """Return axes (3, 3) rotated about z by a planar node's angle."""
-    c, s = np.cos(angle), np.sin(angle)
-    return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
-
-
-def axes_of(state: State, frame: str) -> Array:
-    """Return the axes (3, 3) of a frame or of a planar angle."""
-    x = state.position(frame)
-    return turned(float(x[0])) if x.size == 1 else matrix(x)
 
 
 def extent(structure: Structure) -> float:
@@ -116,17 +104,17 @@ def extent(structure: Structure) -> float:
 
 def lowest(shape: Shape, up: Array) -> float:
     """Return the height along `up` of the lowest point of a shape, with the section that is swept along it."""
-    low = float(np.min(np.vstack(shape.lines) @ up))
+    low = min(float(np.min(line @ up)) for line in shape.lines)
     if shape.outline is None:
         return low
     if shape.across is None:
         return low - float(np.max(np.linalg.norm(shape.outline, axis=1)))
     for line in shape.lines:
-        for end, along, y in ((line[0], line[1] - line[0], 0), (line[-1], line[-1] - line[-2], 1)):
-            across = np.cross(along / np.linalg.norm(along), shape.across[y])
-            low = min(
-                low, float(np.min(end @ up + shape.outline @ np.array([shape.across[y] @ up, across @ up])))
-            )
+        for i, along in ((0, line[..., 1, :] - line[..., 0, :]), (-1, line[..., -1, :] - line[..., -2, :])):
+            side = shape.across[..., i, :]
+            across = np.cross(along / np.linalg.norm(along, axis=-1, keepdims=True), side)
+            corners = np.stack([side @ up, across @ up], axis=-1) @ shape.outline.T
+            low = min(low, float(np.min((line[..., i, :] @ up)[..., None] + corners)))
     return low
 
 
@@ -164,12 +152,6 @@ def section_outline(instance: Instance) -> Array | None:
     return outline_of(instance.profile.section) if isinstance(instance.profile, Profile) else None
 
 
-def reported(state: State, instance: Instance) -> dict[str, Array]:
-    """Return the outputs of an element at a state, by name; see `State.outputs`."""
-    found = state.evaluation.outputs([instance], state.x[None], state.e[None], state.stresses[None])
-    return {name: values[0, 0] for name, values in found.items()}
-
-
 def reports(instance: Instance, *names: str) -> bool:
     """Whether an element has outputs of these names."""
     return set(names) <= {output.name for output in instance.spec.outputs}
@@ -182,15 +164,28 @@ def spatial(vectors: Array) -> Array:
 
 
 def triad_of(outputs: Mapping[str, Array], name: str = "axes") -> Array:
-    """Return the axes (3, 3) of an element in columns; it reports them as rows, in the plane two of them."""
+    """Return the axes (..., 3, 3) of an element in columns; it reports them as rows, in the plane two of them."""
     rows = spatial(outputs[name])
-    return np.asarray(np.column_stack([*rows, np.cross(rows[0], rows[1])][:3]))
+    first, second = rows[..., 0, :], rows[..., 1, :]
+    third = rows[..., 2, :] if rows.shape[-2] > 2 else np.cross(first, second)
+    return np.stack([first, second, third], axis=-1)
 
 
 def frame_of(outputs: Mapping[str, Array], names: Sequence[str] = ("origin", "axes")) -> tuple[Array, Array]:
-    """Return origin (3,) and axes (3, 3), in columns, of a frame that an element reports by these names."""
+    """Return origin (..., 3) and axes (..., 3, 3), in columns, of a frame that an element reports by these names."""
     origin, axes = names
     return spatial(outputs[origin]), triad_of(outputs, axes)
+
+
+def posed(line: Array, pose: tuple[Array, Array]) -> Array:
+    """Return places (..., k, 3) in global axes from those (k, 3) in the axes of a frame."""
+    origin, R = pose
+    return np.asarray(origin[..., None, :] + line @ np.swapaxes(R, -1, -2))
+
+
+def segment(start: Array, end: Array) -> Array:
+    """Return the line (..., 2, 3) between two places (..., 3); or two directions."""
+    return np.stack(np.broadcast_arrays(start, end), axis=-2)
 
 
 def zigzag(ends: Array) -> Array:

@@ -7,19 +7,11 @@ from collections.abc import Iterable, Iterator, Mapping
 import numpy as np
 
 from flexel.apps.view.planar_painters import disc
-from flexel.apps.view.primitives import (
-    Shape,
-    circle,
-    frame_of,
-    outline_of,
-    reported,
-    spatial,
-    triad_of,
-)
+from flexel.apps.view.poses import Poses
+from flexel.apps.view.primitives import Shape, circle, frame_of, outline_of, posed, segment, spatial, triad_of
 from flexel.base.arrays import Array
 from flexel.model.instances import Instance
 from flexel.model.profiles import Section
-from flexel.model.state import State
 from flexel.parts.materials import Profile
 from flexel.parts.wire_rope import WireRope
 
@@ -37,7 +29,15 @@ def stretch(instance: Instance, outputs: Mapping[str, Array]) -> dict[str, Array
     if isinstance(instance.profile, Profile):
         found["bending strain"] = outputs["curvature"] * _fibre(instance.profile.section)
         found["strain"] = found["strain"] + found["bending strain"]
-    return {key: np.interp(steps, at, values) for key, values in found.items()}
+    return {key: _along(values, at, steps) for key, values in found.items()}
+
+
+def _along(values: Array, at: Array, steps: Array) -> Array:
+    """Interpolate values (..., k) at places (..., k), the same in all states; constant beyond the outermost."""
+    first = at.reshape(-1, at.shape[-1])[0]
+    after = np.clip(np.searchsorted(first, steps), 1, len(first) - 1)
+    share = np.clip((steps - first[after - 1]) / (first[after] - first[after - 1]), 0, 1)
+    return np.asarray((1 - share) * values[..., after - 1] + share * values[..., after])
 
 
 def _fibre(section: Section) -> float:
@@ -47,13 +47,13 @@ def _fibre(section: Section) -> float:
     return float(np.max(np.linalg.norm(outline_of(section), axis=1)))
 
 
-def contact(state: State, instance: Instance) -> Iterator[Shape]:
+def contact(poses: Poses, instance: Instance) -> Iterator[Shape]:
     """Draw the force of a contact on a rope, a point or a ball, and the ball."""
-    outputs = reported(state, instance)
+    outputs = poses.outputs(instance)
     centre = spatial(outputs["place"])
     if "centre" in instance.parameters:
         yield from _ball(instance, centre, triad_of(outputs, "axes_ball"))
-    yield Shape("force", instance.name, (centre[None],), force=spatial(outputs["force"]))
+    yield Shape("force", instance.name, (centre[..., None, :],), force=spatial(outputs["force"]))
 
 
 def is_ball(instance: Instance) -> bool:
@@ -73,7 +73,7 @@ def _ball(instance: Instance, centre: Array, R: Array) -> Iterator[Shape]:
     if radius:
         yield from disc(instance.name, centre, R, radius)
         if not instance.spec.planar:
-            rings = tuple(centre + _ring(radius, np.delete(R, i, axis=1)) for i in (0, 1))
+            rings = tuple(posed(_ring(radius, np.delete(np.eye(3), i, axis=1)), (centre, R)) for i in (0, 1))
             yield Shape("rim", instance.name, rings, (centre, R))
 
 
@@ -82,7 +82,7 @@ def _ring(radius: float, across: Array) -> Array:
     return np.asarray(radius * (across @ np.array([np.cos(RING), np.sin(RING)])).T)
 
 
-def sheaves(state: State, contacts: Iterable[Instance]) -> Iterator[Shape]:
+def sheaves(poses: Poses, contacts: Iterable[Instance]) -> Iterator[Shape]:
     """Draw the distinct sheaves and drums of the contacts."""
     seen: set[tuple[str, float]] = set()
     for instance in contacts:
@@ -90,10 +90,10 @@ def sheaves(state: State, contacts: Iterable[Instance]) -> Iterator[Shape]:
             key = instance.nodes[-2], float(instance.parameters["radius"][0])
             if key not in seen:
                 seen.add(key)
-                yield from _sheave(state, instance)
+                yield from _sheave(poses, instance)
 
 
-def _sheave(state: State, instance: Instance) -> Iterator[Shape]:
+def _sheave(poses: Poses, instance: Instance) -> Iterator[Shape]:
     """Draw a cylinder about the axle, a few rope diameters wide, and a spoke that shows its rotation."""
     parameters = instance.parameters
     body = instance.nodes[-2]
@@ -103,15 +103,13 @@ def _sheave(state: State, instance: Instance) -> Iterator[Shape]:
         if "rope_radius" in parameters
         else CONTACT_WIDTH / 2 * radius
     )
-    outputs = reported(state, instance)
-    centre, R = frame_of(outputs)
-    axle, spoke = (R[:, 2], R[:, 0]) if instance.spec.planar else (R[:, 0], R[:, 1])
-    line = np.array([centre - half * axle, centre + half * axle])
-    name, pose = f"{body} {radius:g}", (centre, R)
-    yield Shape("sheave", name, (line,), pose, circle(radius, RING.size - 1), np.array([spoke, spoke]))
-    faces = [centre + side * 1.05 * half * axle for side in (-1, 1)]
-    marks = tuple(np.array([face, face + 0.95 * radius * spoke]) for face in faces)
+    pose = frame_of(poses.outputs(instance))
+    axle, spoke = np.eye(3)[[2, 0] if instance.spec.planar else [0, 1]]
+    name, side = f"{body} {radius:g}", pose[1] @ spoke
+    line = posed(half * np.array([-axle, axle]), pose)
+    yield Shape("sheave", name, (line,), pose, circle(radius, RING.size - 1), segment(side, side))
+    faces = [-1.05 * half * axle, 1.05 * half * axle]
+    marks = tuple(posed(np.array([face, face + 0.95 * radius * spoke]), pose) for face in faces)
     yield Shape("valve", name, marks, pose)
-    across = np.column_stack([spoke, np.cross(axle, spoke)])
-    ring = _ring(radius, across)
-    yield Shape("spoke", name, tuple(ring + face for face in faces), pose)
+    ring = _ring(radius, np.column_stack([spoke, np.cross(axle, spoke)]))
+    yield Shape("spoke", name, tuple(posed(ring + face, pose) for face in faces), pose)

@@ -179,8 +179,8 @@ def _window(state: State, view: View, parts: Sequence[drawing.Shape]) -> tuple[A
 
 
 def painted(parts: Iterable[drawing.Shape]) -> Array:
-    """Return all vertices (k, 3) that are painted."""
-    return np.vstack([line for part in parts if part.style in PAINT for line in part.lines])
+    """Return all vertices (..., k, 3) that are painted."""
+    return np.concatenate([line for part in parts if part.style in PAINT for line in part.lines], axis=-2)
 
 
 def _lines(part: drawing.Shape) -> tuple[Array, ...]:

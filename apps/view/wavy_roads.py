@@ -6,7 +6,8 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from flexel.apps.view.primitives import Shape, place
+from flexel.apps.view.poses import Poses
+from flexel.apps.view.primitives import Shape
 from flexel.base.arrays import Array
 from flexel.model.instances import Instance
 from flexel.model.state import State
@@ -38,7 +39,8 @@ def _strip(road: Waves, tyres: Sequence[Instance], states: Sequence[State]) -> S
     ahead = np.append(road.heading, 0.0)
     left = np.array([-ahead[1], ahead[0], 0.0])
     radius = max(float(tyre.parameters["radius"][0]) for tyre in tyres)
-    hubs = np.array([place(state, tyre.nodes[0]) for state in states for tyre in tyres])
+    poses = Poses(states)
+    hubs = np.concatenate([poses.place(tyre.nodes[0]) for tyre in tyres])
     begin, end = float(np.min(hubs @ ahead)) - 2 * radius, float(np.max(hubs @ ahead)) + 2 * radius
     right, far = (
         float(np.min(hubs @ left)) - SIDE_MARGIN * radius,

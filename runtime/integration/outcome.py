@@ -186,6 +186,9 @@ class States(Sequence[State]):
         return (self[i] for i in range(len(self)))
 
 
+EQUILIBRIA = "equilibria"  # the statistic that only states without anything between them have
+
+
 @dataclass(frozen=True)
 class Integration:
     """Result of an integration: states at the requested times, events, pieces with dense output, counts.
@@ -215,7 +218,7 @@ class Integration:
     @classmethod
     def of_equilibria(cls, states: Sequence[State], message: str) -> Integration:
         """Return equilibria in the order of their load parameter, without anything between them."""
-        counts = {"steps": len(states) - 1, "evaluations": 0, "rechoices": 0}
+        counts = {"steps": len(states) - 1, "evaluations": 0, "rechoices": 0, EQUILIBRIA: len(states)}
         return cls(States(states), [], [], counts, message)
 
     def copy(self) -> Integration:

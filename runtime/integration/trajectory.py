@@ -13,7 +13,7 @@ from flexel.base.errors import ModelError
 from flexel.base.shown import Histories, prints
 from flexel.integration.energy_balance import energy_balance
 from flexel.integration.given import check_given, given_in
-from flexel.integration.outcome import Integration
+from flexel.integration.outcome import EQUILIBRIA, Integration
 from flexel.integration.spectrum import amplitudes
 from flexel.model.quantities import history
 from flexel.model.state import State
@@ -79,6 +79,11 @@ class Trajectory(Sequence[State]):
     def structure(self) -> Structure:
         """Nodes, elements and names."""
         return self._states[0].structure
+
+    @property
+    def over_time(self) -> bool:
+        """Whether `t` is time; for equilibria, between which nothing was integrated, it is the load parameter."""
+        return EQUILIBRIA not in self.statistics
 
     @property
     def dofs(self) -> tuple[str, ...]:

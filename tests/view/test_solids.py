@@ -145,8 +145,8 @@ def test_springs_dampers_guides_and_loads_are_drawn_where_they_act() -> None:
     assert len(between) == 1
     assert set(of(found, "spiral")) == {"pivot"}
     assert set(of(found, "slide")) == {"B"}
-    (arrow,) = loads(state, system.loads)
-    assert arrow.force is not None and np.allclose(arrow.force, (3, 0, 0))
+    (arrow,) = loads([state, state], system.loads)
+    assert arrow.force is not None and np.allclose(arrow.force, [(3, 0, 0)] * 2)
     assert arrow.name == "A"
 
 

@@ -302,5 +302,5 @@ def test_the_floor_is_below_the_sections_of_beams(height: float) -> None:
     drawn, up = shapes(state), np.array([0.0, 0.0, 1.0])
     (leaf,) = [shape for shape in drawn if shape.name == "leaf"]
     assert lowest(leaf, up) == pytest.approx(min(0, float(leaf.lines[0][-1, 2])) - height / 2, rel=1e-3)
-    found = common(state, [drawn], fx.View(), "", "")["floor"]
+    found = common(state, drawn, fx.View(), "", "")["floor"]
     assert found["height"] == pytest.approx(lowest(leaf, up) - 0.02 * 0.1, rel=1e-5)

@@ -188,6 +188,8 @@ def test_the_amplitude_slider_scales_a_mode(tmp_path: Path, fresh: Browser) -> N
     view = fx.View(azimuth=-90, elevation=90)
     fresh.open(view_modes(state, tmp_path / "modes.html", system.vibrations(state, count=2), view=view))
     assert fresh.value("document.querySelectorAll('#mode option').length") == 2
+    assert fresh.value("document.querySelector('#colour').value") == "normal stress of the mode"
+    fresh.choose("#colour", "")
     fresh.choose("#scrub", "0")  # the phase at which it is farthest
     heights = []
     for amplitude in ("0", "0.1", "0.2"):

@@ -46,19 +46,17 @@ def moving(count: int) -> list[dict[str, Any]]:
     """Half beams that bend, a quarter bars that swing, a quarter points: their parts over the frames."""
     found = []
     x = np.linspace(0, 1, 17)
+    k = np.arange(FRAMES)[:, None]
     for i in range(count):
-        columns = []
-        for k in range(FRAMES):
-            wave = 0.1 * np.sin(3 * x + 0.3 * k + i)
-            line = np.column_stack([x, wave + 0.02 * i, 0.1 * (i % 7) + 0 * x])
-            if i % 4 < 2:
-                values = {"bending moment": np.array([k + i, 2.0 * k])}
-                columns.append(Shape("beam", f"b{i}", (line,), outline=rectangle(0.02, 0.01), values=values))
-            elif i % 4 == 2:
-                columns.append(Shape("bar", f"r{i}", (line[[0, -1]],)))
-            else:
-                columns.append(Shape("joint", f"p{i}", (line[-1:],)))
-        found.append(part(columns))
+        y = 0.1 * np.sin(3 * x + 0.3 * k + i) + 0.02 * i
+        line = np.stack(np.broadcast_arrays(x, y, 0.1 * (i % 7)), axis=-1)
+        if i % 4 < 2:
+            values = {"bending moment": np.hstack([k + i, 2.0 * k])}
+            found.append(part(Shape("beam", f"b{i}", (line,), outline=rectangle(0.02, 0.01), values=values)))
+        elif i % 4 == 2:
+            found.append(part(Shape("bar", f"r{i}", (line[:, [0, -1]],))))
+        else:
+            found.append(part(Shape("joint", f"p{i}", (line[:, -1:],))))
     return found
 
 
@@ -178,7 +176,7 @@ def test_noise_has_one_colour_and_outliers_do_not_hide_the_rest(tmp_path: Path, 
     for i in range(200):
         line = np.array([(0, 0.01 * i, 0), (1, 0.01 * i, 0)])
         values = {"tension": np.array([1e6 if i == 7 else 1e3 + i]), "strain": np.array([1e-15 * i])}
-        scene["shapes"].append(part([Shape("bar", f"r{i}", (line,), values=values)]))
+        scene["shapes"].append(part(Shape("bar", f"r{i}", (line,), values=values)))
     scene["floors"] = {"tension": 1e-3, "strain": 1e-12}
     fresh.open(write_page(scene, tmp_path / "bars.html"), "#t=0")
     high = "document.querySelector('#high').textContent"

@@ -11,6 +11,7 @@ from string import Template
 from typing import TYPE_CHECKING, Any, overload
 
 from flexel.apps.view.options import checked
+from flexel.apps.view.page.coding import coded
 from flexel.apps.view.page.data import FORMAT, scene_data
 from flexel.apps.view.page.mode_shapes import mode_data
 from flexel.base.arguments import path_of, whole
@@ -162,7 +163,7 @@ def page(scene: Mapping[str, Any]) -> str:
         )
     folder = resources.files("flexel.apps.view.page")
     # only `<` could end a script element
-    data = json.dumps(scene, allow_nan=False, separators=(",", ":")).replace("<", "\\u003c")
+    data = json.dumps(coded(scene), allow_nan=False, separators=(",", ":")).replace("<", "\\u003c")
     return Template(_text(folder, "page.html")).substitute(
         title=html.escape(str(scene.get("title") or "Motion")),
         style=_text(folder, "viewer.css"),

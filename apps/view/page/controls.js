@@ -1,5 +1,7 @@
 // The controls beside the picture: selections, lists of boxes to tick, views.
 
+// What is shown, by styles; and what is shown only when it is asked for.
+const ASIDE = { "inertia boxes": ["box"], "points of lines": ["joint"] };
 const KINDS_SHOWN = {
   bodies: ["box"], "mass centres": ["mass"], points: ["joint", "fixed"], hinges: ["hinge", "spiral"], springs: ["spring", "damper"],
   guides: ["guide", "slide"], forces: ["force"], loads: ["load"], outlines: ["sketch"], solids: ["solid"],
@@ -54,10 +56,8 @@ function recolour() {
   state.ranged = "";
   const name = get("colour").value;
   get("scales").hidden = !name || scene.modes.length > 0;
-  if (!name) {
-    showLegend("", null);
-    parts.forEach((part) => part.paint(null));
-  }
+  parts.forEach((part) => part.paint(null));
+  if (!name) showLegend("", null);
   state.dirty = true;
 }
 
@@ -87,14 +87,15 @@ function prepareControls() {
   get("title").textContent = scene.title;
   get("caption").textContent = scene.caption;
   canvas.setAttribute("aria-label", `Picture of ${scene.title || "the mechanism"}; arrow keys turn it, plus and minus zoom`);
-  const modal = scene.modes.length > 0, names = [...points.keys()];
+  const modal = scene.modes.length > 0, names = [...points.keys()].sort((a, b) => (b === MECHANISM) - (a === MECHANISM));
   options("follow", [["", "nothing"], ...names.map((name) => [name, name])], [scene.camera.follow]);
-  checklist("trace", modal ? [] : names, scene.trails, (chosen) => {
+  const traced = names.filter((name) => name !== MECHANISM);
+  checklist("trace", modal ? [] : traced, scene.trails, (chosen) => {
     traces.choose(chosen.map((name) => points.get(name)), ["#2e8540", "#c8501e", "#0b5fa5", "#7b3f98", "#b8860b"]);
   });
   checklist("quantities", end > start ? strip.rows.map((row) => row.name) : [], scene.plots.shown, (chosen) => strip.choose(chosen));
   const values = [...new Set(parts.flatMap((part) => Object.keys(part.values)))];
-  options("colour", [["", "kind of part"], ...values.map((name) => [name, name])]);
+  options("colour", [["", "kind of part"], ...values.map((name) => [name, name])], [scene.colour]);
   options("mode", scene.modes.map((mode, i) => [String(i), mode.name]));
   const speeds = [...new Set([0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2, 5, 10, scene.speed])];
   options("speed", speeds.sort((a, b) => a - b).map((speed) => [String(speed), `${speed} ×`]), [String(scene.speed)]);
@@ -108,15 +109,19 @@ function prepareControls() {
   });
   get("amplitude").addEventListener("input", () => (state.dirty = true));
   const visible = (styles) => (on) => parts.forEach((part) => styles.includes(part.spec.style) && (part.visible = on));
-  for (const [text, styles] of Object.entries(KINDS_SHOWN))
-    if (parts.some((part) => styles.includes(part.spec.style))) checkbox(text, true, visible(styles));
+  for (const [kinds, aside] of [[KINDS_SHOWN, false], [ASIDE, true]])
+    for (const [text, styles] of Object.entries(kinds)) {
+      const some = parts.filter((part) => styles.includes(part.spec.style) && Boolean(part.spec.aside) === aside);
+      if (some.length) checkbox(text, !aside, (on) => some.forEach((part) => (part.visible = on)));
+    }
   if (roads.length || parts.some((part) => part.spec.style === "ground"))
     checkbox("road", true, (on) => {
       roads.forEach((road) => (road.object.visible = on));
       visible(["ground"])(on);
     });
   if (floor) checkbox("floor", true, (on) => (floor.object.visible = on));
-  checkbox("axes x y z", false, (on) => (triad.visible = on));
+  checkbox("axes", false, (on) => (triad.visible = on));
+  recolour();
   prepareArrows();
   prepareViews();
   get("panel").open = innerWidth > 800;

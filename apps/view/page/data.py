@@ -7,10 +7,11 @@ frame. Numbers are Float32, little-endian, in base64; constant data is stored on
 from __future__ import annotations
 
 import base64
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
 from flexel.apps.view import drawing
 from flexel.apps.view.page.packing import packed, rounded
@@ -23,7 +24,6 @@ from flexel.base.arguments import quantities
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.base.progress import followed, seen
-from flexel.base.quaternions import from_matrix
 from flexel.model.state import State
 
 if TYPE_CHECKING:
@@ -40,6 +40,7 @@ COLOURS |= {
     "sketch": "#8fa3b3",
     "ground": "#c9d0d6",
 }
+MECHANISM = "the mechanism"  # its middle is followed
 WINDOW = 4.0  # the camera follows motions that go farther than this many times the model's size
 
 
@@ -68,8 +69,8 @@ def scene_data(
     title, caption : str
         Written above the picture; the title is the time of the motion by default.
     plots : sequence of str, optional
-        Quantities in the plot strip when the page opens, by the names of `Motion.series`; three degrees of freedom by
-        default.  The page offers more.
+        Quantities in the plot strip when the page opens, by the names of `Motion.series`; by default degrees of freedom
+        that a person can see.  The page offers more.
     slower : float, optional
         Seconds of picture per second of motion; by default chosen so that the motion can be followed.
     progress : bool, optional
@@ -85,36 +86,36 @@ def scene_data(
     ModelError
         If the motion has no states in this time, or the view names a node that does not exist.
     """
-    states = _sampled(motion, frames, between)
+    states = _sampled(motion, frames, between, seen(progress, "view"))
     view = view or View()
     asked = None if plots is None else quantities(plots, "view: plots")
     for name in (*view.trails, *([view.centre] if isinstance(view.centre, str) else [])):
         states[0].structure.node(name)
-    steps = followed(states, seen(progress, "view"), len(states), "frame")
-    applied = _loads(motion)
-    table = [drawing.shapes(state, view.sketches) + applied(state) for state in steps]
+    shapes = drawing.shapes(states, view.sketches) + _loads(motion, states)
     times = [round(state.t, 9) for state in states]
     speed = _speed(times[-1] - times[0]) if slower is None else 1 / slower
-    title = title or f"Motion from {times[0]:.4g} to {times[-1]:.4g} s"
-    found = common(states[0], table, view, title, caption) | {"times": times, "speed": speed}
-    found["floors"] = floors(states, table, found["size"])
+    of = ("Motion", " s") if motion.over_time else ("Load parameter", "")
+    title = title or f"{of[0]} from {times[0]:.4g} to {times[-1]:.4g}{of[1]}"
+    found = common(states[0], shapes, view, title, caption) | {"times": times, "speed": speed}
+    found["clock"] = (
+        {"name": "time", "unit": "s"} if motion.over_time else {"name": "load parameter", "unit": ""}
+    )
+    found["floors"] = floors(states, shapes, found["size"])
     found["plots"] = _packed_rows(histories(states, asked))
     found["digits"] = int(np.clip(2 - np.floor(np.log10(max(times[-1] - times[0], 1e-6))), 0, 6))
     ground = list(wavy_roads(states))
     if ground:
         found["floor"] = None
-    found["shapes"] = [part([shape]) for shape in ground] + [
-        part(_whole(column)) for column in zip(*table, strict=True) if _acts(column)
+    found["shapes"] = [part(shape) for shape in ground] + [
+        part(united(shape) if shape.style == "guide" else shape) for shape in shapes if _acts(shape)
     ]
     return found
 
 
-def _loads(motion: Trajectory) -> Callable[[State], list[Shape]]:
-    """Return arrows of the loads at a state; a motion from a file has lost its loads."""
+def _loads(motion: Trajectory, states: Sequence[State]) -> list[Shape]:
+    """Return arrows of the loads at states; a motion from a file has lost its loads."""
     system = motion._system
-    if system is None or not system.loads.any:
-        return lambda _: []
-    return lambda state: drawing.loads(state, system.loads)
+    return drawing.loads(states, system.loads) if system is not None and system.loads.any else []
 
 
 def _packed_rows(found: dict[str, Any]) -> dict[str, Any]:
@@ -123,18 +124,13 @@ def _packed_rows(found: dict[str, Any]) -> dict[str, Any]:
     return found | {"rows": rows}
 
 
-def _whole(column: Sequence[Shape]) -> Sequence[Shape]:
-    """Return the shapes drawn once for all frames: guides."""
-    return united(list(column)) if column[0].style == "guide" else column
-
-
-def _sampled(motion: Trajectory, frames: int, between: tuple[float, float] | None) -> list[State]:
+def _sampled(motion: Trajectory, frames: int, between: tuple[float, float] | None, bar: bool) -> list[State]:
     """Return the states to show."""
     if not isinstance(frames, (int, np.integer)) or frames < 2:
         raise ModelError(f"view: frames is {frames!r}; give a whole number, 2 or more")
     start, end = between or (float(motion.t[0]), float(motion.t[-1]))
     if motion.dense and end > start:
-        return [motion.at(float(t)) for t in np.linspace(start, end, frames)]
+        return [motion.at(float(t)) for t in followed(np.linspace(start, end, frames), bar, frames, "frame")]
     kept = [state for state in motion if start <= state.t <= end]
     if not kept:
         raise ModelError(f"view: the motion has no states from {start:g} to {end:g} s; change between=")
@@ -142,9 +138,9 @@ def _sampled(motion: Trajectory, frames: int, between: tuple[float, float] | Non
     return [kept[i] for i in shown]
 
 
-def _acts(column: Sequence[Shape]) -> bool:
+def _acts(shape: Shape) -> bool:
     """Whether a shape is ever visible: contacts that never close are not."""
-    return column[0].style not in ("force", "load") or any(np.any(shape.force) for shape in column)
+    return shape.style not in ("force", "load") or bool(np.any(shape.force))
 
 
 def _speed(duration: float) -> float:
@@ -158,16 +154,14 @@ def _speed(duration: float) -> float:
     )
 
 
-def common(
-    state: State, table: Sequence[Sequence[Shape]], view: View, title: str, caption: str
-) -> dict[str, Any]:
+def common(state: State, shapes: Sequence[Shape], view: View, title: str, caption: str) -> dict[str, Any]:
     """Return data that belong to no part: axes, camera, roads, colours, size.
 
     Parameters
     ----------
     state : State
-    table : sequence of sequences of Shape
-        Shapes of the parts at each frame.
+    shapes : sequence of Shape
+        Of the parts, in one state or over the frames.
     view : View
     title, caption : str
     """
@@ -185,33 +179,45 @@ def common(
         "colours": COLOURS,
         "units": UNITS,
         "roads": [{"axes": rounded(display_axes(n)), "height": height} for n, height in roads],
-        "floor": _floor(state, table, up, size) if view.ground and not roads and not flat else None,
-        "camera": _camera(table, view, flat, size),
+        "floor": _floor(state, shapes, up, size) if view.ground and not roads and not flat else None,
+        "camera": _camera(shapes, view, flat, size),
         "trails": list(view.trails),
         "modes": [],
         "floors": {},
         "plots": {"shown": [], "rows": []},
+        "clock": {"name": "time", "unit": "s"},
+        "colour": _colour(shapes),
     }
 
 
-def _floor(state: State, table: Sequence[Sequence[Shape]], up: Array, size: float) -> dict[str, Any] | None:
+def _colour(shapes: Sequence[Shape]) -> str:
+    """Return the value by which flexible parts are coloured when the page opens: of beams, else of ropes; or none."""
+    lines = [shape for shape in shapes if shape.style in ("beam", "rope")]
+    for name in ("normal stress", "bending moment", "tension"):
+        if any(name in shape.values for shape in lines):
+            return name
+    return ""
+
+
+def _floor(state: State, shapes: Sequence[Shape], up: Array, size: float) -> dict[str, Any] | None:
     """Return a floor below all painted shapes, if there is gravity; for display only."""
     if not any(np.any(instance.parameters.get("gravity", 0.0)) for instance in state.structure.instances):
         return None
-    low = min(lowest(shape, up) for shapes in table for shape in shapes if shape.style in PAINT)
+    low = min(lowest(shape, up) for shape in shapes if shape.style in PAINT)
     return {"axes": rounded(display_axes(up)), "height": float(f"{low - 0.02 * size:.6g}")}
 
 
-def _camera(table: Sequence[Sequence[Shape]], view: View, flat: bool, size: float) -> dict[str, Any]:
+def _camera(shapes: Sequence[Shape], view: View, flat: bool, size: float) -> dict[str, Any]:
     """Return the initial position of the camera, and the object it follows."""
-    places = np.vstack([painted(shapes) for shapes in table])
+    places = painted(shapes)
+    first, places = places.reshape(-1, *places.shape[-2:])[0], places.reshape(-1, 3)
     low, high = places.min(axis=0), places.max(axis=0)
-    near = 1.15 * max(float(np.max(np.ptp(painted(table[0]), axis=0))), size)
+    near = 1.15 * max(float(np.max(np.ptp(first, axis=0))), size)
     span, follow = max(1.15 * float(np.max(high - low)), near), ""
     if isinstance(view.centre, str):
         follow, span = view.centre, near
     elif view.centre is None and span > WINDOW * near:
-        follow, span = _mover(table), near
+        follow, span = MECHANISM, near
     centre = (low + high) / 2 if view.centre is None or follow else np.asarray(view.centre, dtype=float)
     return {
         "azimuth": -90.0 if flat else view.azimuth,
@@ -220,59 +226,71 @@ def _camera(table: Sequence[Sequence[Shape]], view: View, flat: bool, size: floa
         "span": float(f"{view.span or span:.6g}"),
         "fit": view.span is None and (view.centre is None or bool(follow)),
         "follow": follow,
+        "path": packed(_middle(shapes)),
     }
 
 
-def _mover(table: Sequence[Sequence[Shape]]) -> str:
-    """Return the mark that moves farthest."""
-    ends = [(b.name, float(np.linalg.norm(b.lines[0] - a.lines[0]))) for a, b in zip(table[0], table[-1], strict=True)
-            if b.style in ("joint", "mass")]  # fmt: skip
-    return max(ends, key=lambda end: end[1])[0] if ends else ""
+def _middle(shapes: Sequence[Shape]) -> Array:
+    """Return the middle (states, 3) of all parts that are painted and not fixed."""
+    places = painted([shape for shape in shapes if shape.style not in ("fixed", "guide")] or shapes)
+    places = places.reshape(-1, *places.shape[-2:])
+    return np.asarray((places.min(axis=1) + places.max(axis=1)) / 2)
 
 
-def part(shapes: Sequence[Shape]) -> dict[str, Any]:
-    """Return one part over all frames."""
-    first = shapes[0]
+def part(shape: Shape) -> dict[str, Any]:
+    """Return one part, in one state or over the frames."""
     found: dict[str, Any] = {
-        "style": first.style,
-        "name": first.name,
-        "counts": [len(line) for line in first.lines],
-        "rigid": first.pose is not None,
-        "data": packed([numbers(shape) for shape in shapes]),
+        "style": shape.style,
+        "name": shape.name,
+        "counts": [line.shape[-2] for line in shape.lines],
+        "rigid": shape.pose is not None,
+        "data": packed(_rows(numbers(shape), 1)),
         "values": {
-            name: {"count": int(np.size(value)), "data": packed([shape.values[name] for shape in shapes])}
-            for name, value in first.values.items()
+            name: {"count": value.shape[-1], "data": packed(_rows(value, 1))}
+            for name, value in shape.values.items()
         },
     }
-    if first.outline is not None:
-        found["outline"] = rounded(first.outline)
-    if first.colour is not None:
-        found["colour"] = first.colour
-    if first.opacity < 1:
-        found["opacity"] = first.opacity
-    if first.surface is not None:
-        vertices, triangles = first.surface
+    if shape.outline is not None:
+        found["outline"] = rounded(shape.outline)
+    if shape.colour is not None:
+        found["colour"] = shape.colour
+    if shape.opacity < 1:
+        found["opacity"] = shape.opacity
+    if shape.aside:
+        found["aside"] = True
+    if shape.surface is not None:
+        vertices, triangles = shape.surface
         found["surface"] = packed([vertices])
         found["triangles"] = base64.b64encode(triangles.astype("<u4").tobytes()).decode()
-    if first.pose is not None:
-        origin, R = first.pose
-        found["local"] = packed([(np.vstack(first.lines) - origin) @ R])
-    if first.across is not None:
-        found["across"] = packed([shape.across if shape.pose is None else _local(shape) for shape in shapes])
-    if first.force is not None:
-        found["force"] = packed([shape.force for shape in shapes])
+    if shape.pose is not None:
+        origin, R = (_rows(rows, axes)[0] for axes, rows in enumerate(shape.pose, start=1))
+        first = np.concatenate([_rows(line, 2)[0] for line in shape.lines])
+        found["local"] = packed([(first - origin) @ R])
+    if shape.across is not None:
+        across = shape.across if shape.pose is None else shape.across @ shape.pose[1]
+        found["across"] = packed(_rows(across, 2))
+    if shape.force is not None:
+        found["force"] = packed(_rows(shape.force, 1))
     return found
 
 
-def _local(shape: Shape) -> Array:
-    """Return the section's directions in the body's axes."""
-    assert shape.pose is not None and shape.across is not None
-    return np.asarray(shape.across @ shape.pose[1])
+def _rows(values: Array, axes: int) -> Array:
+    """Return values with the axis of the states, also those of one state, which have `axes` axes."""
+    return values.reshape(-1, *values.shape[values.ndim - axes :])
 
 
 def numbers(shape: Shape) -> Array:
-    """Return the moving data of a shape: its pose (position and quaternion), or its vertices."""
+    """Return the moving data (..., k) of a shape: its pose (position and quaternion), or its vertices.
+
+    The quaternions of successive states have the signs that bring them nearest to one another.
+    """
     if shape.pose is None:
-        return np.vstack(shape.lines).ravel()
+        places = np.concatenate(shape.lines, axis=-2)
+        return places.reshape(*places.shape[:-2], -1)
     origin, R = shape.pose
-    return np.concatenate([origin, from_matrix(R)])
+    turns = np.roll(
+        Rotation.from_matrix(R.reshape(-1, 3, 3)).as_quat(), 1, axis=1
+    )  # SciPy has the scalar last
+    same = np.sum(turns[1:] * turns[:-1], axis=1) >= 0
+    turns[1:] *= np.cumprod(np.where(same, 1.0, -1.0))[:, None]
+    return np.concatenate([origin, turns.reshape(*origin.shape[:-1], 4)], axis=-1)

@@ -2,10 +2,45 @@
 
 const scene = JSON.parse(document.getElementById("scene").textContent);
 
-/** Little-endian Float32 numbers from base64. */
-function floats(text) {
-  const bytes = Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
-  return new Float32Array(bytes.buffer);
+/** Bytes from base64. */
+function bytes(text) {
+  return Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
+}
+
+const inflated = new Blob([bytes(scene.numbers)]).stream().pipeThrough(new DecompressionStream("deflate"));
+const block = new Uint8Array(await new Response(inflated).arrayBuffer()); // all numbers of the page
+scene.numbers = null;
+const known = new Map(); // arrays by where they begin
+
+/** Float32 numbers of the page, coded as coding.py says. */
+function floats(place) {
+  if (!known.has(place.at)) known.set(place.at, place.steps ? summed(place) : plain(place));
+  return known.get(place.at);
+}
+
+function plain({ at, rows, width }) {
+  return new Float32Array(block.slice(at, at + 4 * rows * width).buffer);
+}
+
+/** Numbers from their second differences over the rows, and over every third column. */
+function summed({ at, rows, width, steps, along, bytes }) {
+  const count = rows * width, found = new Float32Array(count), now = new Float64Array(count);
+  for (let i = 0; i < count; i++) {
+    let x = 0;
+    for (let k = bytes - 1; k >= 0; k--) x = 256 * x + block[at + k * count + i];
+    now[i] = x % 2 ? -(x + 1) / 2 : x / 2;
+  }
+  for (let c = 0; c < count; c += rows) sums(now, c, 1, rows);
+  if (along) for (let c = 0; c < 3; c++) for (let r = 0; r < rows; r++) sums(now, c * rows + r, 3 * rows, width / 3);
+  for (let c = 0; c < width; c++)
+    for (let r = 0; r < rows; r++) found[r * width + c] = now[c * rows + r] * steps[c % steps.length];
+  return found;
+}
+
+/** Twice the sums of `count` numbers from `first`, every `step`. */
+function sums(numbers, first, step, count) {
+  let rate = 0, value = 0;
+  for (let i = 0, k = first; i < count; i++, k += step) numbers[k] = value += rate += numbers[k];
 }
 
 /** Numbers over the frames, `width` of them in each; a single frame if they never change. */

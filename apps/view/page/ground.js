@@ -1,13 +1,13 @@
 // What lies under the mechanism: roads and a floor with a grid and shadows; and the tracks of points.
 
 /** Lines of a grid, each of short pieces: software that draws without a graphics card omits lines that reach behind the eye. */
-function gridOf(half, step) {
+function gridOf(half, step, colour) {
   const places = [];
   for (let i = -half; i <= half; i++)
     for (let j = -half; j < half; j++) places.push(i, j, 0, i, j + 1, 0, j, i, 0, j + 1, i, 0);
   const geometry = new THREE.BufferGeometry();
   geometry.setAttribute("position", new THREE.Float32BufferAttribute(places.map((place) => place * step), 3));
-  return new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({ color: "#c3ccd4" }));
+  return new THREE.LineSegments(geometry, new THREE.LineBasicMaterial({ color: colour }));
 }
 
 /** A grid on a road or floor: round steps fixed to the ground, wherever one looks. */
@@ -21,6 +21,12 @@ class Road {
     this.step = 0;
   }
 
+  /** Take other colours at the next picture. */
+  dress(colours) {
+    this.colours = colours;
+    this.step = 0;
+  }
+
   update(target, span) {
     const power = 10 ** Math.floor(Math.log10(span / 4)), half = 20;
     const step = power * [1, 2, 5].findLast((multiple) => power * multiple <= span / 4);
@@ -28,10 +34,10 @@ class Road {
       this.step = step;
       this.object.children.forEach((child) => child.geometry.dispose());
       this.object.clear();
-      const grid = gridOf(half, step);
+      const grid = gridOf(half, step, this.colours.grid);
       const sheet = new THREE.PlaneGeometry(2 * half * step, 2 * half * step);
       const offset = { side: THREE.DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 };
-      const plane = new THREE.Mesh(sheet, new THREE.MeshBasicMaterial({ color: "#e9edf0", ...offset }));
+      const plane = new THREE.Mesh(sheet, new THREE.MeshBasicMaterial({ color: this.colours.sheet, ...offset }));
       const shade = new THREE.Mesh(sheet, new THREE.ShadowMaterial({ opacity: 0.28, side: THREE.DoubleSide }));
       shade.receiveShadow = true;
       this.object.add(plane, grid, shade);
@@ -40,6 +46,15 @@ class Road {
     const place = new THREE.Vector3(Math.round(local.x / step) * step, Math.round(local.y / step) * step, this.height);
     this.object.matrix.copy(this.T).setPosition(place.applyMatrix4(this.T));
   }
+}
+
+/** Write how long a round length is in the picture, at the distance of what the eye looks at. */
+function tellScale(span, aspect) {
+  const metre = (canvas.clientHeight * Math.min(1, aspect)) / span; // pixels
+  const wanted = 110 / metre, power = 10 ** Math.floor(Math.log10(wanted));
+  const length = power * [1, 2, 5].findLast((multiple) => power * multiple <= wanted);
+  get("length").textContent = `${short(length)} m`;
+  get("bar").style.width = `${length * metre}px`;
 }
 
 /** The past tracks of points, all in one line object: segments in the order of the frames. */

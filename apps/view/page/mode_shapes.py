@@ -10,7 +10,7 @@ import numpy as np
 
 from flexel.apps.view import drawing
 from flexel.apps.view.page.data import common, numbers, part
-from flexel.apps.view.page.modal import modal_units, modal_values, packed_values
+from flexel.apps.view.page.modal import SUFFIX, modal_units, modal_values, packed_values
 from flexel.apps.view.page.packing import packed
 from flexel.apps.view.page.series import floors
 from flexel.apps.view.primitives import Shape, extent
@@ -60,18 +60,20 @@ def mode_data(
     view = view or View()
     base = drawing.shapes(state, view.sketches)
     displaced = [_displaced(state, _coordinates(about, state, mode), base, view) for mode in modes]
-    found = common(state, [base], view, title or "Modes of vibration", caption)
+    found = common(state, base, view, title or "Modes of vibration", caption)
     found |= {
         "times": [state.t],
         "speed": 1.0,
         "digits": 2,
         "modes": [_words(i, mode) for i, mode in enumerate(modes)],
     }
-    found["floors"] = floors([state], [base], found["size"])
+    found["floors"] = floors([state], base, found["size"])
     found["units"] = found["units"] | modal_units()
+    modal = found["colour"] + SUFFIX
+    found["colour"] = modal if any(found["colour"] in value for value in displaced[0].values) else ""
     found["shapes"] = []
     for i, shape in enumerate(base):
-        one = part([shape]) | {"modes": packed_pairs([shape.rates[i] for shape in displaced])}
+        one = part(shape) | {"modes": packed_pairs([shape.rates[i] for shape in displaced])}
         one["values"] |= packed_values([shape.values[i] for shape in displaced])
         found["shapes"].append(one)
     return found

@@ -25,7 +25,7 @@ class Part {
     this.visible = true;
     this.vertices = spec.counts.reduce((a, b) => a + b, 0);
     this.track = new Track(spec.data, spec.rigid ? 7 : 3 * this.vertices, spec.modes);
-    this.colour = new THREE.Color(spec.colour || scene.colours[spec.style]);
+    this.dress(LIGHT);
     this.values = Object.fromEntries(
       Object.entries(spec.values).map(([k, v]) => [k, v.modal ? new Modal(v.modal, v.count) : new Track(v.data, v.count)]),
     );
@@ -33,6 +33,12 @@ class Part {
     this.across = spec.across ? new Track(spec.across, 6) : null;
     this.shown = null; // the visibility that is drawn
     this.reserve();
+  }
+
+  /** Take its colour on another background. */
+  dress(colours) {
+    const { colour, style } = this.spec;
+    this.colour = seen(colour || scene.colours[style], colours);
   }
 
   get batch() {

@@ -62,10 +62,9 @@ class Mark extends Piece {
 /** A surface of triangles that a body carries. */
 class Solid extends Piece {
   reserve() {
-    const bytes = Uint8Array.from(atob(this.spec.triangles), (c) => c.charCodeAt(0));
     const geometry = new THREE.BufferGeometry();
     geometry.setAttribute("position", new THREE.BufferAttribute(floats(this.spec.surface), 3));
-    geometry.setIndex(new THREE.BufferAttribute(new Uint32Array(bytes.buffer), 1));
+    geometry.setIndex(new THREE.BufferAttribute(new Uint32Array(bytes(this.spec.triangles).buffer), 1));
     const flat = geometry.toNonIndexed(); // every triangle has its own normal
     flat.computeVertexNormals();
     flat.computeBoundingBox();

@@ -3,7 +3,6 @@
 
 const ROWS = 4; // units at most
 const BELOW = 18, ABOVE = 15, RIGHT = 8; // room for the times, for a row's label, beside the axes [pixels]
-const TEXT = "#222222", GRID = "#dddddd";
 
 /** Round values between two limits, about so many, each with its text. */
 function ticks(low, high, count) {
@@ -38,22 +37,37 @@ class Strip {
     this.left = 58;
   }
 
+  /** Take other colours. */
+  dress(colours) {
+    this.colours = colours;
+    this.colour();
+    this.draw();
+  }
+
+  /** Colour the lines, and their marks in the key. */
+  colour() {
+    this.chosen.forEach((row, i) => {
+      row.colour = `#${seen(scene.plots.colours[i % scene.plots.colours.length], this.colours).getHexString()}`;
+      row.line.style.background = row.colour;
+    });
+  }
+
   choose(names) {
     this.chosen = this.rows.filter((row) => names.includes(row.name));
     this.units = [...new Set(this.chosen.map((row) => row.unit))].slice(0, ROWS);
     this.chosen = this.chosen.filter((row) => this.units.includes(row.unit));
     this.box.hidden = !this.chosen.length;
     this.canvas.style.height = `${BELOW + (this.units.length > 1 ? 84 * this.units.length : 120)}px`;
-    this.canvas.setAttribute("aria-label", `Plot over time of ${this.chosen.map((row) => row.name).join(", ")}`);
+    this.canvas.setAttribute("aria-label", `Plot over ${scene.clock.name} of ${this.chosen.map((row) => row.name).join(", ")}`);
     const list = get("key");
-    list.replaceChildren(...this.chosen.map((row, i) => {
-      const item = document.createElement("span"), line = document.createElement("i");
-      row.colour = scene.plots.colours[i % scene.plots.colours.length];
-      line.style.background = row.colour;
+    list.replaceChildren(...this.chosen.map((row) => {
+      const item = document.createElement("span");
+      row.line = document.createElement("i");
       row.text = document.createElement("span");
-      item.append(line, row.text);
+      item.append(row.line, row.text);
       return item;
     }));
+    this.colour();
     this.draw();
   }
 
@@ -71,9 +85,9 @@ class Strip {
     const pen = canvas.getContext("2d"), each = (height - BELOW) / this.units.length;
     pen.scale(ratio, ratio);
     pen.font = "11px system-ui, sans-serif";
-    pen.fillStyle = TEXT;
+    pen.fillStyle = this.colours.text;
     this.x = (t) => this.left + ((t - start) / (end - start || 1)) * (width - this.left - RIGHT);
-    const name = "time [s]", room = width - RIGHT - pen.measureText(name).width - 8;
+    const { unit } = scene.clock, name = unit ? `${scene.clock.name} [${unit}]` : scene.clock.name, room = width - RIGHT - pen.measureText(name).width - 8;
     const times = end > start ? ticks(start, end, Math.max(2, width / 75)) : [];
     for (const [t, text] of times) {
       pen.textAlign = t - start < 1e-6 * (end - start) ? "left" : "center";
@@ -110,13 +124,13 @@ class Strip {
     };
     pen.textAlign = "left";
     pen.fillText(rows.length > 1 ? rows[0].shared : rows[0].label, this.left, top + 10);
-    for (const [t] of times) line(GRID, 0.8, [[this.x(t), upper], [this.x(t), lower]]);
+    for (const [t] of times) line(this.colours.lines, 0.8, [[this.x(t), upper], [this.x(t), lower]]);
     pen.textAlign = "right";
     for (const [v, text] of ticks(low, high, (lower - upper) / 17)) {
-      line(GRID, 0.8, [[this.left, y(v)], [right, y(v)]]);
+      line(this.colours.lines, 0.8, [[this.left, y(v)], [right, y(v)]]);
       pen.fillText(text, this.left - 4, Math.max(y(v) + 4, top + 10));
     }
-    line(TEXT, 0.8, [[this.left, upper], [this.left, lower], [right, lower]]);
+    line(this.colours.text, 0.8, [[this.left, upper], [this.left, lower], [right, lower]]);
     for (const row of rows)
       line(row.colour, 1.6, Array.from(scene.times, (t, k) => [this.x(t), y(row.values[row.moving ? k : 0])]));
   }

@@ -4,13 +4,13 @@ const get = (id) => document.getElementById(id);
 const start = scene.times[0], end = scene.times[scene.times.length - 1];
 const wished = new URLSearchParams(location.hash.slice(1)); // #t=1.5 opens at that time, at rest
 const canvas = get("picture");
+const MECHANISM = "the mechanism"; // as it is called where something is followed
 const state = { t: start, phase: 0, playing: false, dirty: true, last: 0, scale: "robust" };
 
 // -- what there is to see ---------------------------------------------------------------------
 
 const renderer = new THREE.WebGLRenderer({ canvas, antialias: true });
 const world = new THREE.Scene(), root = new THREE.Group();
-world.background = new THREE.Color("#f6f8fa");
 root.quaternion.setFromRotationMatrix(
   new THREE.Matrix4().makeBasis(...scene.axes.map((row) => new THREE.Vector3(...row))).transpose(),
 );
@@ -24,7 +24,9 @@ renderer.shadowMap.enabled = sun.castShadow = grounds.length > 0 || parts.some((
 sun.shadow.mapSize.set(1024, 1024);
 const triad = new THREE.AxesHelper(0.2 * scene.size), traces = new Traces();
 root.add(...meshes, ...grounds.map((ground) => ground.object), triad, traces.line);
-const points = new Map(parts.filter((part) => part instanceof Mark).map((mark) => [mark.spec.name, mark]));
+const marks = parts.filter((part) => part instanceof Mark).sort((a, b) => Boolean(a.spec.aside) - Boolean(b.spec.aside));
+const points = new Map(marks.map((mark) => [mark.spec.name, mark]));
+points.set(MECHANISM, { track: new Track(scene.camera.path, 3) }); // its middle
 const orbit = new Orbit(canvas, () => (state.dirty = true));
 const strip = new Strip((t) => go(t));
 const hover = new Hover(canvas, parts, orbit, root, () => instant());
@@ -77,11 +79,13 @@ function show() {
   paint(now);
   batches.forEach((batch) => batch.upload());
   traces.update(now);
-  aim(now, resize());
+  const aspect = resize();
+  aim(now, aspect);
   placeSun(sun, orbit.target, orbit.span);
   lamp.position.copy(orbit.camera.position).sub(orbit.target);
   const target = orbit.target.applyQuaternion(root.quaternion.clone().invert());
   grounds.forEach((ground) => ground.update(target, orbit.span));
+  tellScale(orbit.span, aspect);
   renderer.render(world, orbit.camera);
   tell(now);
   strip.update(now, state.t);
@@ -90,7 +94,7 @@ function show() {
 }
 
 function tell(now) {
-  const modal = now.mode >= 0, text = modal ? scene.modes[now.mode].text : `${state.t.toFixed(scene.digits)} s`;
+  const modal = now.mode >= 0, text = modal ? scene.modes[now.mode].text : `${state.t.toFixed(scene.digits)} ${scene.clock.unit}`.trim();
   get("time").textContent = text;
   canvas.dataset.frame = now.frame;
   const scrub = get("scrub");
@@ -165,7 +169,22 @@ function prepareTime() {
   else play(Boolean(moving) && !matchMedia("(prefers-reduced-motion: reduce)").matches);
 }
 
+const dark = matchMedia("(prefers-color-scheme: dark)");
+
+/** Give the picture and the plot the colours of the page. */
+const dress = () => {
+  const colours = dark.matches ? DARK : LIGHT;
+  world.background = new THREE.Color(colours.background);
+  grounds.forEach((ground) => ground.dress(colours));
+  strip.dress(colours);
+  parts.forEach((part) => part.dress(colours));
+};
+dress();
 prepareControls();
+dark.addEventListener("change", () => {
+  dress();
+  recolour();
+});
 prepareTime();
 new ResizeObserver(() => (state.dirty = true)).observe(canvas);
 canvas.addEventListener("webglcontextrestored", () => (state.dirty = true));
