@@ -24,8 +24,10 @@ extensions = [
 # a package of the theme sets the root logger to INFO when it is imported
 logging.getLogger("flexel").setLevel(logging.WARNING)
 sphinx_gallery_conf = {
-    "examples_dirs": "../examples/gallery",
-    "gallery_dirs": "_generated/gallery",
+    "examples_dirs": ["../examples/gallery", "lessons"],
+    "gallery_dirs": ["_generated/gallery", "_generated/lessons"],
+    "image_scrapers": ("matplotlib", "figures"),
+    "ignore_repr_types": r"matplotlib\.figure|flexel\.apps\.view\.figures",
     "filename_pattern": ".py",
     "ignore_pattern": "__init__",
     "abort_on_example_error": True,
@@ -39,7 +41,7 @@ sphinx_gallery_conf = {
 html_math_renderer = "mathml"  # from mathml.py in this folder
 myst_enable_extensions = ["dollarmath"]
 html_extra_path = ["_generated/report"]
-exclude_patterns = ["_build", "_generated/contents.md"]
+exclude_patterns = ["_build", "_generated/contents.md", "lessons"]
 myst_heading_anchors = 3
 default_role = "code"
 autodoc_typehints = "none"

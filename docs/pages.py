@@ -211,7 +211,7 @@ def contents(folder: Path) -> str:
     guides = [*FIRST, *sorted(found - {*FIRST, *REFERENCE, *systems})]
     elements = ["_generated/elements", "_generated/laws", "_generated/api"]
     groups = {
-        "Guides": [*guides, "_generated/gallery/index"],
+        "Guides": [guides[0], "_generated/lessons/index", *guides[1:], "_generated/gallery/index"],
         "Systems reproduced": systems,
         "Reference": [*REFERENCE, *elements],
     }

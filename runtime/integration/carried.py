@@ -49,15 +49,14 @@ class Carried(Segment):
         """Return the state at a time within the step."""
         found = self.on_path(t)
         close = abs(t - self.flat) < self.reach
-        return Close(self.shown, found.moment, found.z, self) if close else found
+        return Close(self.kinematics, self.shown, found.moment, found.z, self) if close else found
 
     def on_path(self, t: float) -> Pending:
         """Return the state of the path at a time, to be completed by the equations of motion."""
         if t == self.last.t:
-            return Pending(self.shown, self.last, self.path.at(t)[2])
-        return Pending(
-            self.shown, *moment_on(self.kinematics, self.path, t, between(self.first, self.last, t))
-        )
+            return Pending(self.kinematics, self.shown, self.last, self.path.at(t)[2])
+        moment, z = moment_on(self.kinematics, self.path, t, between(self.first, self.last, t))
+        return Pending(self.kinematics, self.shown, moment, z)
 
 
 @dataclass(frozen=True)
@@ -88,7 +87,7 @@ class Close(Pending):
         work.laws()
         work.inertia()
         work.convective()
-        return dynamics.state_in(kinematics, work, stresses, reactions)
+        return self.given(dynamics.state_in(kinematics, work, stresses, reactions))
 
 
 def moment_on(kinematics: Kinematics, path: Path, t: float, guess: Snapshot) -> tuple[Snapshot, Array]:

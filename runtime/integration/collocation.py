@@ -27,6 +27,7 @@ CONVERGED = 0.03  # change in a sweep, relative to what is allowed
 STALLED = 0.5  # change, relative to that of the last sweep, from which on it is rounding
 UNSURE, SURE = 0.01, 1e-5  # of the time of the flat position, by its fit and at last, relative to the length
 AGAIN = 3  # sweeps that are taken in any case
+LEAST = float(np.log(np.finfo(float).tiny))  # logarithm of a determinant that is zero
 
 
 class Errors(NamedTuple):
@@ -105,13 +106,13 @@ class Sweeps:
         return float(found.x)
 
     def _size(self, path: Path, t: float, start: Snapshot) -> float:
-        """Return the logarithm of the determinant's size at a time."""
+        """Return the logarithm of the determinant's size at a time; finite where it is zero, to be interpolated."""
         choice = self.kinematics.choice
         free = path.at(t)[0]
         choice.work.x[:], choice.work.unwrap_from[:] = start.x, start.e
         choice.work.x[: free.size] = free
         choice.work.position()
-        return -np.inf if choice.factorize() else choice.determinant
+        return LEAST if choice.factorize() else max(choice.determinant, LEAST)
 
     def moment(self, path: Path, t: float, last: Snapshot) -> Snapshot:
         """Return the instant of a path at a time, on the constraints; turns are counted from an instant nearby."""

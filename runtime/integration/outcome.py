@@ -28,7 +28,9 @@ class Pending:
     Attributes
     ----------
     kinematics : Kinematics
-        The degrees of freedom in which it is completed.
+        The degrees of freedom of the step that led to it, which are far from a singular position there.
+    shown : Kinematics
+        Those in which it is given.
     moment : Snapshot
         Coordinates, rates and deformations with their turns.
     z : ndarray (nz,)
@@ -36,6 +38,7 @@ class Pending:
     """
 
     kinematics: Kinematics
+    shown: Kinematics
     moment: Snapshot
     z: Array
 
@@ -47,7 +50,11 @@ class Pending:
     def state(self) -> State:
         """Return the complete state."""
         at = self.moment
-        return dynamics.complete(self.kinematics, at.t, at.x, at.v, at.e, self.z)
+        return self.given(dynamics.complete(self.kinematics, at.t, at.x, at.v, at.e, self.z))
+
+    def given(self, state: State) -> State:
+        """Return a state of the step's degrees of freedom with those in which it is given: all else is the same."""
+        return state if self.shown is self.kinematics else replace(state, roles=self.shown.roles)
 
 
 @dataclass(frozen=True)
@@ -75,10 +82,10 @@ class Segment:
         y, nq, nd = self.dense(t), self.kinematics.roles.nq, self.kinematics.roles.nd
         q, qd, z = y[:nq], y[nq : nq + nd], y[nq + nd :]
         if t == self.last.t:
-            return Pending(self.shown, self.last, z)
+            return Pending(self.kinematics, self.shown, self.last, z)
         guess = between(self.first, self.last, t)
         x, v, e = located(self.kinematics, t, q, qd, guess)
-        return Pending(self.shown, replace(guess, t=t, x=x, v=v, e=e), z)
+        return Pending(self.kinematics, self.shown, replace(guess, t=t, x=x, v=v, e=e), z)
 
     def state(self, t: float) -> State:
         """Return the complete state at a time within the step."""

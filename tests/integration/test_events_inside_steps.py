@@ -109,3 +109,41 @@ def test_a_short_pulse_gives_its_whole_momentum(method: str) -> None:
     m.load("P.x", lambda t: np.where((t > 7.0) & (t < 7.01), 100.0, 0.0))
     motion = m.build().simulate(10.0, samples=3, method=method)
     assert motion.rate("P.x")[-1] == pytest.approx(0.5, rel=1e-4)
+
+
+def level(angle: bool) -> fx.System:
+    """Two rods without mass in a row, drawn level, with a mass at each end; the upper one with an angle, or without."""
+    m = fx.Model(gravity=(0, -9.81))
+    m.point("O", (0, 0), fixed=True)
+    m.point("A", (1, 0))
+    m.point("B", (2, 0))
+    if angle:
+        m.angle("turn")
+        m.beam("upper", "O", "turn", "A")
+        m.independent("turn.angle", "B.y")
+    else:
+        m.truss("upper", "O", "A")
+    m.truss("lower", "A", "B")
+    m.point_mass("mass A", "A", 1.0)
+    m.point_mass("mass B", "B", 1.0)
+    return m.build()
+
+
+@pytest.mark.parametrize("beyond", [0.0, 1e-9, 1e-3])
+def test_an_event_where_the_coordinates_of_the_start_are_singular(beyond: float) -> None:
+    """Heights are the degrees of freedom; then the upper rod passes below its pivot, where they are singular.
+
+    The state there is that of a motion in the angle of the rod, and the motion goes on from it.
+    """
+    rods, by_angle = level(angle=False), level(angle=True)
+    assert rods.simulate(0.1, progress=False).dofs == ("A.y", "B.y")
+    below = fx.Event("below", lambda state: state["A.x"] - beyond, terminal=True)
+    end = rods.simulate(5, events=[below], rtol=1e-9, progress=False)[-1]
+    assert abs(end["A.x"] - beyond) < 1e-12
+    exact = by_angle.simulate(end.t, rtol=1e-11, progress=False)[-1]
+    for name in ("A.x", "A.y", "B.x", "B.y"):
+        assert end.acceleration(name) == pytest.approx(exact.acceleration(name), abs=1e-5), name
+    assert end.force("lower.elongation") == pytest.approx(exact.force("lower.elongation"), abs=1e-5)
+    on = rods.simulate(0.2, start=end, progress=False)[-1]
+    there = by_angle.simulate(on.t, rtol=1e-11, progress=False)[-1]
+    assert np.allclose(on.position("B"), there.position("B"), rtol=0, atol=1e-5)
