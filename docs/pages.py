@@ -23,6 +23,7 @@ from flexel.generated.table import ELEMENTS, LAWS
 FIRST = (
     "start",
     "concepts",
+    "mistakes",
     "seeds",
     "joints",
     "flexure-design",

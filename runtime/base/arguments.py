@@ -214,6 +214,8 @@ def unknown(name: str, known: Iterable[str], kind: str = "name") -> str:
     similar = near_names(name, names)
     if similar:
         return f"unknown {kind} '{name}'; did you mean {', '.join(similar)}?"
+    if not names:
+        return f"unknown {kind} '{name}'; there is none yet"
     part = name.rpartition(".")[0]
     mates = quantities_of(part, names)
     where, shown = (f"'{part}' has ", mates) if mates else ("known: ", names)

@@ -5,17 +5,20 @@ Angles are the kernels' principal values plus turns, which are counted from a ne
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable, Mapping, Sequence
 
 import numpy as np
 
 from flexel.base.arguments import number, numbers
 from flexel.base.arrays import Array
-from flexel.base.errors import ModelError
+from flexel.base.callers import outside
+from flexel.base.errors import ModelError, ModelWarning
 from flexel.engine.coordinate_work import CoordinateWork
 from flexel.mechanics import dynamics
 from flexel.mechanics.kinematics import Kinematics
 from flexel.mechanics.start_rates import consistent_rates
+from flexel.mechanics.suspects import in_degrees
 from flexel.mechanics.travel import travelled
 from flexel.model.snapshot import Snapshot
 from flexel.model.state import State, own_state
@@ -118,10 +121,11 @@ def state_at(
             continue
         i = structure.find(name, "state_at")
         if i not in roles.dofs:
-            raise ModelError(
-                f"'{name}' is not a degree of freedom; values can be given to {kinematics.names(roles.dofs)}"
-            )
+            others = kinematics.names(roles.dofs) or "nothing: all motion is prescribed, or held"
+            raise ModelError(f"'{name}' is not a degree of freedom; values can be given to {others}")
         q[list(roles.dofs).index(i)] = value
+        if text := in_degrees(name, structure.units[i], value):
+            warnings.warn(f"state_at: {text}", ModelWarning, stacklevel=outside())
     here = Snapshot.of(start)
     guess = travelled(kinematics, here, time, q) or here.still(
         time

@@ -20,6 +20,8 @@ from flexel.model.structure import Structure
 SOFTEST, STIFFEST = 1e6, 2e12  # Young's modulus [Pa]: soft rubber, twice diamond
 LIGHTEST, HEAVIEST = 10.0, 3e4  # density [kg/m³]: foam, beyond osmium
 GRAVITY = 300.0  # [m/s²], above that of Jupiter and the sun; 9810 would be mm/s²
+ROUND_DEGREES = 15  # of which round angles are multiples
+MASSES = ("mass", "rho")  # how the names of parameters begin that are masses, or masses per length
 TURNS = 4 * np.pi  # an initial angle beyond two turns is probably in degrees
 SLENDER = 1.0  # depth of a section over the size of the model
 FOLLOWING = 1.0  # length of a cable's element over the radius of a circle
@@ -44,7 +46,7 @@ def suspects(model: Lowering, structure: Structure, size: float) -> list[Finding
             found += _profile(instance, instance.profile, size)
         found += _short(model, instance, size)
     found += _idle(model)
-    return [*_gravity(model), *_angles(model, structure), *_grouped(found), *_coarse(structure)]
+    return [*_gravity(model, structure), *_angles(model, structure), *_grouped(found), *_coarse(structure)]
 
 
 @dataclass(frozen=True)
@@ -73,19 +75,42 @@ def _units(message: str) -> Finding:
     return Finding("warning", "units", message)
 
 
-def _gravity(model: Lowering) -> Iterator[Finding]:
+def _gravity(model: Lowering, structure: Structure) -> Iterator[Finding]:
     g = float(np.linalg.norm(model.gravity))
     if g > GRAVITY:
         yield _units(f"gravity of {g:.4g} m/s² looks like mm/s²; lengths are in metres")
+    points = [node.kind for node in structure.nodes if node.kind.endswith("point")]
+    if g and not np.any(model.gravity[:2]) and all(kind == "planar_point" for kind in points):
+        yield Finding(
+            "warning",
+            "loads",
+            f"gravity along z does not act in a planar model, whose points are (x, y); give gravity=(0, {-g:.4g})",
+        )
+    heavy = [instance.parameters for instance in structure.instances if "gravity" in instance.parameters]
+    if g and heavy and not any(np.any(p[name]) for p in heavy for name in p if name.startswith(MASSES)):
+        yield Finding(
+            "warning", "loads", "gravity acts on no mass; give masses to bodies, points, beams or trusses"
+        )
 
 
 def _angles(model: Lowering, structure: Structure) -> Iterator[Finding]:
     units = dict(zip(structure.names, structure.units, strict=True))
     for name, value in model.values.items():
         if units.get(name) == "rad" and abs(value) > TURNS:
-            yield _units(
-                f"initial value {value:.4g} rad of '{name}' looks like degrees; angles are in radians"
-            )
+            yield _units(f"initial value {_in_degrees(name, value)}")
+
+
+def in_degrees(name: str, unit: str, value: float) -> str:
+    """Say that a value given for an angle of a state is probably in degrees: a round one within a turn of these.
+
+    A wheel may have turned by any number of radians.
+    """
+    likely = unit == "rad" and TURNS < abs(value) <= 360 and value % ROUND_DEGREES == 0
+    return _in_degrees(name, value) if likely else ""
+
+
+def _in_degrees(name: str, value: float) -> str:
+    return f"{value:.4g} rad of '{name}' looks like degrees; angles are in radians"
 
 
 def _profile(beam: Instance, profile: SectionOfMaterial, size: float) -> Iterator[Suspicion]:

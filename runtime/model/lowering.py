@@ -78,7 +78,11 @@ class Lowering:
 
     def __init__(self, gravity: Vector = (0.0, 0.0, 0.0)) -> None:
         g = array(gravity, "Model", "gravity")
-        self.gravity = vector(g, "Model", "gravity", 2 if g.shape == (2,) else 3)
+        if g.shape not in ((2,), (3,)):
+            raise ModelError(
+                f"Model: gravity {gravity!r:.40} is not a vector; give (x, y) or (x, y, z), such as (0, -9.81)"
+            )
+        self.gravity = vector(g, "Model", "gravity", g.size)
         self.nodes: dict[str, Node] = {}
         self.instances: dict[str, Instance] = {}
         self.laws: list[LawInstance] = []

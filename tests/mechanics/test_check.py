@@ -102,6 +102,35 @@ def test_gravity_in_millimetres_and_angles_in_degrees_are_suspected() -> None:
     assert "'pivot.angle' looks like degrees" in said
 
 
+def rod(gravity: tuple[float, ...], **given: float) -> fx.Model:
+    m = fx.Model(gravity=gravity)
+    m.point("O", (0, 0), fixed=True)
+    m.point("A", (1, 0))
+    m.angle("turn")
+    m.beam("rod", "O", "turn", "A", **given)  # type: ignore[arg-type]
+    m.load("A.y", 1.0)
+    return m
+
+
+def test_gravity_that_does_not_act_is_suspected() -> None:
+    """Along z in the plane, and where nothing has a mass; not where it acts."""
+    with pytest.warns(fx.ModelWarning, match=r"along z does not act.*give gravity=\(0, -9.81\)"):
+        rod((0, 0, -9.81), mass_per_length=1.0).build()
+    with pytest.warns(fx.ModelWarning, match="gravity acts on no mass"):
+        rod((0, -9.81)).build()
+    rod((0, -9.81), mass_per_length=1.0).build()
+    rod((0, 0)).build()
+
+
+def test_round_degrees_given_to_a_state_are_suspected_and_turns_of_a_wheel_are_not() -> None:
+    s = rod((0, -9.81), mass_per_length=1.0).build()
+    for value in (45, 90.0, -180, 360):
+        with pytest.warns(fx.ModelWarning, match="state_at: .* rad of 'turn.angle' looks like degrees"):
+            s.state_at({"turn.angle": value})
+    for value in (3.0, 12.0, 200.0, 87.5, 3600.0):
+        assert s.state_at({"turn.angle": value})["turn.angle"] == value
+
+
 @pytest.mark.parametrize(
     "material", ["steel", "titanium", "wire rope", fx.Material(E=5e6, rho=1100, nu=0.49)]
 )

@@ -9,7 +9,7 @@ from flexel.parts.model import Model
 
 NODES = {
     "gravity as text": Case(lambda: Model(gravity="down"), ("gravity", "'down'", "give real numbers")),
-    "gravity as one number": Case(lambda: Model(gravity=9.81), ("gravity", "give 3 numbers")),
+    "gravity as one number": Case(lambda: Model(gravity=9.81), ("gravity", "not a vector", "(0, -9.81)")),
     "gravity None": Case(lambda: Model(gravity=None), ("gravity", "give real numbers")),
     "gravity NaN": Case(lambda: Model(gravity=(0, 0, math.nan)), ("gravity", "give finite numbers")),
     "point of four": draw(lambda m: m.point("P", (1, 2, 3, 4)), "point 'P'", "give 3 numbers"),
