@@ -40,7 +40,7 @@ sphinx_gallery_conf = {
 }
 html_math_renderer = "mathml"  # from mathml.py in this folder
 myst_enable_extensions = ["dollarmath"]
-html_extra_path = ["_generated/report"]
+html_extra_path = ["_generated/report", "_generated/extra"]
 exclude_patterns = ["_build", "_generated/contents.md", "lessons"]
 myst_heading_anchors = 3
 default_role = "code"

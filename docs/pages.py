@@ -10,6 +10,7 @@ from collections import defaultdict
 from importlib import import_module
 from pathlib import Path
 
+import live
 from element_pages import Rows, element_page, elements_page, laws_page, table
 from methods import method_pages, method_rows, other_methods
 from reported import write_report
@@ -239,4 +240,5 @@ def write(folder: Path) -> None:
         if f"api/{file.stem}" not in public:  # of a removed topic
             file.unlink()
     put(out / "contents.md", contents(folder))
+    live.write(folder, out / "extra" / "live")
     write_report(folder, out / "verification.json", out / "report" / "report-latest.html")

@@ -10,7 +10,6 @@ from filling import DOCS, pages
 PAGES = [page.name for page in pages()]
 WITHOUT = {  # pages without a program, and why
     "architecture.md": "about the code itself",
-    "index.md": "the contents",
     "report.md": "about commands",
     "speed.md": "about a command",
     "theory.md": "mathematics",
