@@ -165,3 +165,12 @@ def test_options_of_view_are_in_its_signature() -> None:
     for kind in (fx.Flexure, fx.PeriodicSolution):
         assert inspect.signature(kind.view) == inspect.signature(fx.Motion.view)
         assert "slower : float" in (inspect.getdoc(kind.view) or "")
+
+
+def test_a_small_frame_has_room_for_the_picture(tmp_path: Path, fresh: Browser) -> None:
+    fresh.resize(420, 360)
+    fresh.open(pendulum().simulate(0.5, progress=False).view(tmp_path / "swing.html"), "#t=0")
+    assert fresh.box("#picture")["height"] > 150 and fresh.box("#plots")["height"] == 0
+    fresh.resize(420, 700)
+    fresh.frame()
+    assert fresh.box("#plots")["height"] > 80
