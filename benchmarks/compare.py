@@ -99,7 +99,7 @@ class Comparison:
         return {f"{self.row.name} with {name}": figure for name, figure in self.installed.items()}
 
     def to_dict(self) -> dict[str, Any]:
-        """Return the JSON form: value, reach and aim in `unit`."""
+        """Return the JSON form: value, target and goal in `unit`."""
         row = self.row
         own = self.own.to_dict()
         found = {
@@ -107,8 +107,8 @@ class Comparison:
             "value": own.pop("value"),
             "unit": row.unit,
             "error": own.pop("error"),
-            "reach": row.reach,
-            "aim": row.aim,
+            "target": row.target,
+            "goal": row.goal,
             "accuracy": row.accuracy,
             "within": row.within,
             "peers": {

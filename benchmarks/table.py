@@ -1,4 +1,4 @@
-"""The rows of `flexel bench`: the work, the figures to reach and to aim at, and the accuracy.
+"""The rows of `flexel bench`: the work, the targets and goals, and the accuracy.
 
 The peers of a row are in `flexel.benchmarks.peers`, by the name of the row.
 """
@@ -34,8 +34,8 @@ class Row:
 
     Attributes
     ----------
-    reach, aim : float or None
-        Figures [unit] to reach and to aim at.
+    target, goal : float or None
+        Figures [unit]: what must be met, and what is hoped for.
     prepare : function
         Makes the timed work, of a size if the row has sizes; the time to make it is not measured.
     accuracy : str
@@ -48,8 +48,8 @@ class Row:
 
     name: str
     unit: str
-    reach: float | None
-    aim: float | None
+    target: float | None
+    goal: float | None
     prepare: Prepare
     accuracy: str = ""
     within: float | None = None
@@ -60,12 +60,12 @@ class Row:
         return self.within is None or (error is not None and error <= self.within)
 
     def mark(self, value: float | None, error: float | None) -> str:
-        """Return the figure that is met: "aim", "reach", or "missed"; "" without figures to meet."""
+        """Return the figure that is met: "goal", "target", or "missed"; "" without figures to meet."""
         if not self.accurate(error):
             return "inaccurate"
-        if value is None or self.reach is None or self.aim is None:
+        if value is None or self.target is None or self.goal is None:
             return ""
-        return "aim" if value <= self.aim else "reach" if value <= self.reach else "missed"
+        return "goal" if value <= self.goal else "target" if value <= self.target else "missed"
 
 
 STEER = "steer at 5 s minus 0.044960974038 rad of the reference"

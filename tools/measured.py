@@ -83,10 +83,10 @@ def beside(row: Mapping[str, Any]) -> str:
 
 def rows(figures: Figures) -> Iterator[str]:
     """Write a table: flexel, its error, and its peers with the ratio of the times."""
-    yield "| row | flexel | reach, aim | error | peers: time (**time over flexel's**, error) |"
+    yield "| row | flexel | target, goal | error | peers: time (**time over flexel's**, error) |"
     yield "|---|---|---|---|---|"
     for row in figures:
-        goals = "–" if row["aim"] is None else f"{row['reach']:g}, {row['aim']:g}"
+        goals = "–" if row["goal"] is None else f"{row['target']:g}, {row['goal']:g}"
         value = f"{time(row['value'])} {row['unit']}"
         yield f"| `{row['name']}` | {value} | {goals} | {size(row['error'])} | {beside(row) or '–'} |"
 

@@ -108,7 +108,7 @@ def _head(table: Any) -> None:
         f"(median {unit.median * 1e6:.3g})",
         file=table,
     )
-    titles = f"{'shortest':>9} {'median':>9} {'':<2} {'ratio':>6} {'reach':>6} {'aim':>6} {'met':<10}"
+    titles = f"{'shortest':>9} {'median':>9} {'':<2} {'ratio':>6} {'target':>6} {'goal':>6} {'met':<10}"
     click.echo(f"{'':<26}{titles} {'runs':>5} {'error':>8} {'power':>6}", file=table)
 
 
@@ -174,7 +174,7 @@ def _print(result: "Comparison", table: Any) -> None:
 
 
 def _line(row: "Row", figure: "Figure", own: "Figure") -> str:
-    """Return the figures of a program; reach and aim are flexel's."""
+    """Return the figures of a program; target and goal are flexel's."""
     timing = figure.last
     if timing is None or figure.value is None:
         error = "" if figure.error is None else f", error {figure.error:.1e}"
@@ -183,14 +183,14 @@ def _line(row: "Row", figure: "Figure", own: "Figure") -> str:
     mine = figure is own
     ratio = "" if mine or not own.value else f"{figure.value / own.value:.3g}"
     met = row.mark(figure.value, figure.error) if mine else "" if row.accurate(figure.error) else "inaccurate"
-    reach, aim, error, power = (
+    target, goal, error, power = (
         "" if number is None else f"{number:{form}}"
         for number, form in (
-            (row.reach if mine else None, "g"),
-            (row.aim if mine else None, "g"),
+            (row.target if mine else None, "g"),
+            (row.goal if mine else None, "g"),
             (figure.error, ".1e"),
             (figure.exponent, ".2f"),
         )
     )
-    times = f"{figure.value:>9.4g} {median:>9.4g} {row.unit:<2} {ratio:>6} {reach:>6} {aim:>6}"
+    times = f"{figure.value:>9.4g} {median:>9.4g} {row.unit:<2} {ratio:>6} {target:>6} {goal:>6}"
     return f"{times} {met:<10} {timing.readings:>5} {error:>8} {power:>6}"

@@ -4,7 +4,7 @@ Weave, wobble and capsize of a motorcycle
 
 The rider is one body with the frame; the steered front has a damper, and the tyres have side slip, camber and
 relaxation. Without control the machine falls slowly (capsize) and snakes with 2 to 3 Hz (weave); above 38 m/s its
-steering shakes with 7 Hz (wobble). The loads of the tyres are those of statics.
+steering shakes with 7 Hz (wobble). The tyre loads come from the static equilibrium.
 """
 
 from typing import Any
@@ -42,7 +42,7 @@ moment = sum(9.81 * mass * (start[f"{body}.x"] - start["rear.x"]) for body, mass
 front = moment / (start["front.x"] - start["rear.x"])
 known = np.array([9.81 * sum(masses.values()) - front, front])
 found = np.array([start.force("rear tyre.deflection"), start.force("front tyre.deflection")])
-print("loads of the tyres", found, "statics", known, "N")
+print("tyre loads", found, "of the static equilibrium", known, "N")
 
 plt.style.use("flexel.apps.view.style")
 plt.scatter(v.repeat(values.shape[1]), values.real, 5, abs(values.imag) / 6.2832)

@@ -20,7 +20,7 @@ from flexel.benchmarks.machine import machine
 from flexel.benchmarks.table import ROWS, UNITS, Row
 from flexel.benchmarks.timing import Series, Work, measure
 
-KEYS = {"name", "value", "unit", "error", "reach", "aim", "accuracy", "within", "peers"}
+KEYS = {"name", "value", "unit", "error", "target", "goal", "accuracy", "within", "peers"}
 QUICK = ("bicycle_rhs", "bicycle_M1", "linearize_vehicle", "build_bicycle", "kernels_beam", "import_flexel")
 
 
@@ -58,12 +58,12 @@ def rows(monkeypatch: pytest.MonkeyPatch, **works: Work | Exception) -> None:
 
 
 def test_the_rows_have_units_figures_and_references() -> None:
-    """The aim is beyond the reach; what has a largest error says what the error is."""
+    """The goal is beyond the target; what has a largest error says what the error is."""
     assert {"bicycle_rhs", "hoist", "chain_100_closed", "kernels_beam"} <= set(ROWS)
     for name, row in ROWS.items():
         assert row.name == name and row.unit in UNITS
-        assert (row.reach is None) == (row.aim is None)
-        assert row.reach is None or row.aim is None or row.aim < row.reach
+        assert (row.target is None) == (row.goal is None)
+        assert row.target is None or row.goal is None or row.goal < row.target
         assert bool(row.accuracy) == (row.within is not None)
 
 
@@ -80,7 +80,7 @@ def test_the_cheapest_rows_are_measured_and_accurate(tmp_path: Path) -> None:
         row = ROWS[figure["name"]]
         assert set(figure) == KEYS and figure["name"] in result.stdout
         assert figure["value"] > 0
-        assert (figure["unit"], figure["reach"], figure["aim"]) == (row.unit, row.reach, row.aim)
+        assert (figure["unit"], figure["target"], figure["goal"]) == (row.unit, row.target, row.goal)
         assert (figure["error"] is None) == (row.within is None)
 
 
@@ -97,7 +97,7 @@ def test_json_with_a_dash_goes_to_stdout_and_the_table_to_stderr(monkeypatch: py
     result = run("one", "one", "--json", "-")
     assert json.loads(result.stdout) == [
         {
-            "name": "one", "value": 1500.0, "unit": "ms", "error": 0.5, "reach": 1e6, "aim": 1e5,
+            "name": "one", "value": 1500.0, "unit": "ms", "error": 0.5, "target": 1e6, "goal": 1e5,
             "accuracy": "a difference", "within": 1.0, "peers": {},
         }
     ]  # fmt: skip
@@ -132,7 +132,7 @@ def test_a_row_that_fails_or_is_inaccurate_is_reported_after_the_others(
     assert "coarse: a difference: 1.5e+00; at most 1 is allowed" in result.stderr
     assert "failed: broken, coarse, lost" in result.stderr
     marks = {line.split()[0]: line for line in result.stdout.splitlines()}
-    assert "inaccurate" in marks["coarse"] and "aim" in marks["good"]
+    assert "inaccurate" in marks["coarse"] and "goal" in marks["good"]
     figures = {figure["name"]: figure for figure in strictly(file.read_text(encoding="utf-8"))}
     assert figures["broken"]["value"] is None and figures["coarse"]["error"] == 1.5
     assert figures["lost"]["error"] is None

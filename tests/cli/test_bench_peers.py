@@ -67,7 +67,7 @@ def programs(monkeypatch: pytest.MonkeyPatch) -> Callable[..., None]:
 
 
 def test_a_row_has_its_peers_in_json_and_in_the_table(programs: Callable[..., None], tmp_path: Path) -> None:
-    """Null is not installed; the ratio is the peer's time over flexel's; a peer does not take the aim."""
+    """Null is not installed; the ratio is the peer's time over flexel's; a peer does not take the goal."""
     programs(
         {"slow": lambda: ticking(5.0, 2e-9), "quick": lambda: ticking(0.5), "absent": lambda: ticking(1.0)}
     )
@@ -76,15 +76,15 @@ def test_a_row_has_its_peers_in_json_and_in_the_table(programs: Callable[..., No
     assert result.exit_code == 0, result.output
     assert json.loads(file.read_text()) == [
         {
-            "name": "row", "value": 2.0, "unit": "s", "error": 1e-9, "reach": 3.0, "aim": 1.0,
+            "name": "row", "value": 2.0, "unit": "s", "error": 1e-9, "target": 3.0, "goal": 1.0,
             "accuracy": "a difference", "within": 1e-6,
             "peers": {"slow": {"value": 5.0, "error": 2e-9}, "quick": {"value": 0.5, "error": 0.0}, "absent": None},
         }
     ]  # fmt: skip
     lines = {line.split()[0]: line for line in result.stdout.splitlines()}
     assert "slow 1.0, quick 1.0, absent not installed" in lines["peers:"]
-    assert " reach " in lines["row"] and "2.5" in lines["slow"].split() and "0.25" in lines["quick"].split()
-    assert "aim" not in lines["quick"] and lines["absent"].split(maxsplit=1)[1] == "not installed"
+    assert " target " in lines["row"] and "2.5" in lines["slow"].split() and "0.25" in lines["quick"].split()
+    assert "goal" not in lines["quick"] and lines["absent"].split(maxsplit=1)[1] == "not installed"
 
 
 def test_a_peer_that_fails_or_is_inaccurate_is_reported_and_the_row_goes_on(

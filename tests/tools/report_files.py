@@ -36,7 +36,7 @@ REPRODUCE: dict[str, Any] = {
     "seconds": 61.0,
 }
 BENCH: list[dict[str, Any]] = [
-    {"name": "bicycle_rhs", "value": 8.4, "unit": "µs", "error": 2e-11, "reach": 6, "aim": 3.5, "accuracy": "x",
+    {"name": "bicycle_rhs", "value": 8.4, "unit": "µs", "error": 2e-11, "target": 6, "goal": 3.5, "accuracy": "x",
      "within": 1e-8, "peers": {"symbrim": {"value": 42.0, "error": 1e-14}, "exudyn": None}},
 ]  # fmt: skip
 CAMPAIGN: dict[str, Any] = {

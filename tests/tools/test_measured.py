@@ -13,12 +13,12 @@ from flexel.benchmarks.table import ROWS
 
 
 def row(name: str, value: float, **more: Any) -> dict[str, Any]:
-    plain = {"value": value, "unit": "ms", "error": 2.6e-11, "reach": None, "aim": None, "peers": {}}
+    plain = {"value": value, "unit": "ms", "error": 2.6e-11, "target": None, "goal": None, "peers": {}}
     return {"name": name, **plain, **more}
 
 
 FIGURES = [
-    row("ride", 8.4849, reach=6, aim=3.5, peers={"kane": {"value": 60.17, "error": None}, "other": None}),
+    row("ride", 8.4849, target=6, goal=3.5, peers={"kane": {"value": 60.17, "error": None}, "other": None}),
     row("walk", 0.0123456, error=None),
     row(
         "grow", 4.0, sizes=[1, 2], values=[1.0, 4.0], exponent=2.0,

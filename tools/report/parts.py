@@ -81,8 +81,8 @@ class Timed(Measured):
 
     name: str
     unit: str
-    reach: float | None
-    aim: float | None
+    target: float | None
+    goal: float | None
     accuracy: str = ""
     within: float | None = None
     sizes: list[int] = field(default_factory=list)

@@ -20,7 +20,7 @@ SAYS = (
 HEAD = (
     "row",
     "flexel",
-    "to reach, to aim at",
+    "target, goal",
     "met",
     "error",
     "allowed",
@@ -69,7 +69,7 @@ def _wrong(row: Timed) -> str:
 
 def _line(row: Timed) -> tuple[str, Sequence[object]]:
     """Write the line of a row."""
-    goals = "–" if row.reach is None or row.aim is None else f"{row.reach:g}, {row.aim:g} {row.unit}"
+    goals = "–" if row.target is None or row.goal is None else f"{row.target:g}, {row.goal:g} {row.unit}"
     ratio = peer_ratios(row, row.peers)
     fair = best(ratio)
     figures = [_peer(name, peer, ratio.get(name), row.unit, name in fair) for name, peer in row.peers.items()]
@@ -79,9 +79,9 @@ def _line(row: Timed) -> tuple[str, Sequence[object]]:
 
 def _met(row: Timed) -> str:
     """Return the figure that is met."""
-    if row.value is None or row.reach is None or row.aim is None:
+    if row.value is None or row.target is None or row.goal is None:
         return "–"
-    return "aim" if row.value <= row.aim else "reach" if row.value <= row.reach else "missed"
+    return "goal" if row.value <= row.goal else "target" if row.value <= row.target else "missed"
 
 
 def _peer(name: str, found: Measured | None, ratio: float | None, unit: str, fair: bool) -> Html:
