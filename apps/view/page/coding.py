@@ -16,9 +16,8 @@ import numpy as np
 from flexel.apps.view.page.packing import unpacked
 from flexel.base.arrays import Array
 
-STEP = (
-    2.0**-20
-)  # of positions, relative to the size of the model; of quaternions; of values, relative to the largest
+# Of positions, relative to the size of the model; of quaternions; of values and forces, relative to the largest.
+STEP = 2.0**-20
 MAX_STEPS = 2.0**26  # so that second differences over frames and over vertices, with a sign, fit into 32 bits
 COMPRESSION = 6  # of zlib
 

@@ -29,7 +29,7 @@ from flexel.model.state import State
 if TYPE_CHECKING:
     from flexel.integration.trajectory import Trajectory
 
-FORMAT = 2
+FORMAT = 3
 FRAMES = 301
 COLOURS = {style: paint[0] for style, paint in PAINT.items()}
 COLOURS |= {
