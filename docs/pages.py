@@ -25,6 +25,7 @@ FIRST = (
     "start",
     "concepts",
     "mistakes",
+    "words",
     "seeds",
     "joints",
     "flexure-design",

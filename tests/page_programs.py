@@ -10,6 +10,7 @@ from filling import DOCS, pages
 PAGES = [page.name for page in pages()]
 WITHOUT = {  # pages without a program, and why
     "architecture.md": "about the code itself",
+    "words.md": "a table of words",
     "report.md": "about commands",
     "speed.md": "about a command",
     "theory.md": "mathematics",
