@@ -14,6 +14,7 @@ import numpy as np
 
 from flexel.apps.view import drawing
 from flexel.apps.view.figures import COLOURS, caption, save
+from flexel.apps.view.primitives import edges
 from flexel.apps.view.scene import View, canvas, display_axes
 from flexel.base.arguments import text
 from flexel.base.arrays import Array
@@ -28,6 +29,7 @@ if TYPE_CHECKING:
 
 UNSHOWN_STYLES = ("spoke", "axle", "box", "guide", "slide", "spiral", "damper")
 GREY = "#b8bfc6"
+EDGE = 0.8  # width of the edges of a section
 AXES_HEIGHT = 0.84  # height of spatial axes in the figure: title and legend are above
 LEGEND_COLUMNS = 3  # of the legend
 MODE_AMPLITUDE = 0.1  # displacement of a mode shape, relative to the size of the model
@@ -165,9 +167,13 @@ def _overlaid(
             parts = [
                 part for part in drawing.shapes(state, view.sketches) if part.style not in UNSHOWN_STYLES
             ]
-            lines = [line @ turn.T for part in parts for line in part.lines if len(line) > 1]
-            for i, line in enumerate(lines):
-                axes.plot(*line.T[: 2 if flat else 3], color=colour, lw=2.0, label=label if i == 0 else None)
+            lines = [line for part in parts for line in part.lines if len(line) > 1]
+            wide = (
+                [] if flat else [edge for part in parts for edge in edges(part)]
+            )  # beams as wide as they are
+            for i, line in enumerate([*lines, *wide]):
+                shown, width = (line @ turn.T).T[: 2 if flat else 3], 2.0 if i < len(lines) else EDGE
+                axes.plot(*shown, color=colour, lw=width, label=label if i == 0 else None)
             points = np.array(
                 [
                     line[0]

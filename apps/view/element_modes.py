@@ -16,7 +16,7 @@ from flexel.apps.view import drawing
 from flexel.apps.view.deflected import GREY, at_coordinates
 from flexel.apps.view.figures import COLOURS, figure, save, unit_text
 from flexel.apps.view.poses import Poses
-from flexel.apps.view.primitives import extent
+from flexel.apps.view.primitives import edges, extent
 from flexel.apps.view.scene import PAINT, View, display_axes
 from flexel.base.arrays import Array, Index
 from flexel.base.shown import prints
@@ -271,7 +271,7 @@ class _Pen:
             if part.style not in PAINT:
                 continue
             width = max(PAINT[part.style][1] - 0.6, 0.6)
-            for lines, lw in ((part.lines, width), (_edges(part), EDGE)):
+            for lines, lw in ((part.lines, width), (edges(part), EDGE)):
                 for line in lines:
                     mark = {} if len(line) > 1 else {"marker": "o", "ms": 3.5}
                     axes.plot(*self._seen(line), color=colour, lw=lw, clip_on=False, **mark)
@@ -312,22 +312,6 @@ class _Pen:
                 axes.set_aspect("equal")
             axes.set_axis_off()
         return PANEL_IN * (float(half[1] / half[0]) if self._flat else SPATIAL)
-
-
-def _edges(part: drawing.Shape) -> Iterator[Array]:
-    """Yield the edges of the section that is swept along a part, and its outlines at both ends."""
-    if part.outline is None or part.across is None:
-        return
-    for line in part.lines:
-        along = np.gradient(line, axis=0)
-        share = np.linspace(0, 1, len(line))[:, None]
-        z = np.cross(along, (1 - share) * part.across[0] + share * part.across[1])
-        z /= np.linalg.norm(z, axis=1, keepdims=True)
-        y = np.cross(z, along) / np.linalg.norm(along, axis=1, keepdims=True)
-        swept = [line + a * y + b * z for a, b in part.outline]
-        yield from swept
-        for end in (0, -1):
-            yield np.array([edge[end] for edge in (*swept, swept[0])])
 
 
 def _places(state: State, instance: Instance) -> Iterator[tuple[Array, list[str]]]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -116,6 +116,22 @@ def lowest(shape: Shape, up: Array) -> float:
             corners = np.stack([side @ up, across @ up], axis=-1) @ shape.outline.T
             low = min(low, float(np.min((line[..., i, :] @ up)[..., None] + corners)))
     return low
+
+
+def edges(part: Shape) -> Iterator[Array]:
+    """Yield the edges of the section that is swept along a part in one state, and its outlines at both ends."""
+    if part.outline is None or part.across is None:
+        return
+    for line in part.lines:
+        along = np.gradient(line, axis=0)
+        share = np.linspace(0, 1, len(line))[:, None]
+        z = np.cross(along, (1 - share) * part.across[0] + share * part.across[1])
+        z /= np.linalg.norm(z, axis=1, keepdims=True)
+        y = np.cross(z, along) / np.linalg.norm(along, axis=1, keepdims=True)
+        swept = [line + a * y + b * z for a, b in part.outline]
+        yield from swept
+        for end in (0, -1):
+            yield np.array([edge[end] for edge in (*swept, swept[0])])
 
 
 def circle(radius: float, corners: int = CORNERS) -> Array:
