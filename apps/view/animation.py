@@ -45,8 +45,16 @@ class Animation:
         return f"Animation({len(self.data) / 1e6:.2g} MB as .gif)"
 
     def write(self, path: str | Path) -> Path:
-        """Write the GIF to a file."""
+        """Write the GIF to a file.
+
+        Raises
+        ------
+        ModelError
+            A suffix other than .gif.
+        """
         place = path_of(path, "animation")
+        if place.suffix != ".gif":
+            raise ModelError(f"animation '{place}': it is a GIF; write .gif, or motion.animate('{place}')")
         with replacing(place, "animation") as part:
             part.write_bytes(self.data)
         return place

@@ -110,6 +110,13 @@ def test_histories_have_a_panel_for_each_unit(motion: fx.Motion, tmp_path: Path)
         motion.plot("lean.angel")
 
 
+def test_an_animation_in_memory_is_written_as_the_gif_that_it_is(tmp_path: Path) -> None:
+    made = pendulum().simulate(0.2, progress=False).animate(fps=5.0, progress=False)
+    assert made.write(tmp_path / "swing.gif").read_bytes()[:6] == b"GIF89a"
+    with pytest.raises(fx.ModelError, match=r"it is a GIF; write \.gif, or motion\.animate"):
+        made.write(tmp_path / "swing.mp4")
+
+
 def test_gif_and_planar_animation(tmp_path: Path) -> None:
     """Pillow joins the frames."""
     from PIL import Image
