@@ -1,5 +1,7 @@
 """The viewer in a browser: many parts stay light, Fit fits, pointing shows values, the strip follows the time."""
 
+import io
+import re
 import time
 from pathlib import Path
 from typing import Any
@@ -188,6 +190,27 @@ def test_noise_has_one_colour_and_outliers_do_not_hide_the_rest(tmp_path: Path, 
     fresh.choose("#colour", "strain")
     assert fresh.value(high) == "everywhere"
     assert fresh.value("document.querySelector('#low').textContent") == "0"
+
+
+def test_a_notebook_that_is_not_trusted_says_so(motion: fx.Motion, tmp_path: Path, fresh: Browser) -> None:
+    """JupyterLab then takes the page out of its frame; what is in view is the text behind it."""
+    Image = pytest.importorskip("PIL.Image", reason="pip install 'flexel[plot]'")
+    shown = motion.page(frames=5)._repr_html_()
+    emptied = re.sub(r' srcdoc="[^"]*"', "", shown)
+    path = tmp_path / "notebook.html"
+    path.write_text(f"<!DOCTYPE html><html><body>{emptied}</body></html>")
+    fresh.go(path.as_uri())
+    assert "trust the notebook" in fresh.value("document.body.innerText")
+    ink = fresh.screenshot(fresh.box("p"))
+    path.write_text(f"<!DOCTYPE html><html><body>{shown}</body></html>")
+    fresh.go(path.as_uri())
+    fresh.wait(
+        "document.querySelector('iframe')?.contentDocument?.querySelector('#picture')?.dataset.frame !== undefined"
+    )
+    covered = fresh.screenshot(fresh.box("p"))
+    words, page = (np.asarray(Image.open(io.BytesIO(png)).convert("L"), dtype=int) for png in (ink, covered))
+    assert np.sum(words < 90) > 200  # they are seen where the frame is empty
+    assert np.mean(np.abs(words - page) > 60) > 0.01  # and covered by the page
 
 
 def test_a_notebook_shows_the_page_in_a_frame(motion: fx.Motion, tmp_path: Path, fresh: Browser) -> None:

@@ -28,6 +28,7 @@ if TYPE_CHECKING:
 
 __all__ = ["Page", "mode_data", "page", "scene_data", "view_modes", "view_motion", "write_page"]
 
+UNTRUSTED = "Run this cell, or trust the notebook, to see the page."
 # Joined as one module in the page, in this order.
 SCRIPTS = (
     *(
@@ -125,13 +126,18 @@ class Page:
         return write_page(self.scene, path)
 
     def _repr_html_(self) -> str:
-        """Return the page in a separate frame, for notebooks; nothing is fetched and no other file is needed."""
+        """Return the page in a separate frame, for notebooks; nothing is fetched and no other file is needed.
+
+        A notebook that is not trusted shows no frames: then the words behind it are seen.
+        """
         style = f"resize:both;overflow:hidden;width:100%;height:{self.height}px;border:1px solid #d0d7de"
+        style += ";position:relative"
         title = html.escape(str(self.scene.get("title") or "Motion"), quote=True)
         inner = html.escape(page(self.scene), quote=True)
-        filled = "width:100%;height:100%;border:0"
+        filled = "width:100%;height:100%;border:0;position:relative"
+        behind = f'<p style="position:absolute;margin:1em">{UNTRUSTED}</p>'
         frame = f'<iframe title="{title}" srcdoc="{inner}" style="{filled}" allowfullscreen></iframe>'
-        return f'<div style="{style}">{frame}</div>'
+        return f'<div style="{style}">{behind}{frame}</div>'
 
 
 def _written(scene: Mapping[str, Any], path: str | Path | None) -> Path | Page:
