@@ -28,38 +28,28 @@ size_t flexel_lu_operations(const flexel_lu *lu)
 }
 
 /* Whether a pivot is large enough; it is replaced by its inverse. */
-static inline int invert(const flexel_lu *lu, size_t k, double *a, double growth)
+static inline int invert(const flexel_lu *lu, size_t k, double *a)
 {
     const int d = lu->diagonal[k], u = lu->first[k + 1] - d - 1;
     const double size = fabs(a[d]) * lu->scale[d], rest = norm(a + d + 1, lu->scale + d + 1, u);
     const int sound = size > 0 && size <= DBL_MAX && size >= FLEXEL_LEAST_PIVOT * a[lu->slots + k] &&
-                      size * growth >= rest;
+                      size * FLEXEL_MOST_GROWTH >= rest;
     a[d] = 1 / a[d];
     return sound;
 }
 
 FLEXEL_CLONES
-static size_t factor(const flexel_lu *lu, const int *source, const double *buffer, double *a, double growth)
+size_t flexel_lu_factor(const flexel_lu *lu, const int *source, const double *buffer, double *a)
 {
     const int *list = lu->list;
     load(lu, source, buffer, a);
     for (const flexel_pass *pass = lu->pass; pass < lu->pass + lu->npasses; pass++) {
         list = eliminate(pass, list, a);
         for (int i = 0; i < pass->pivots; i++, list++)
-            if (!invert(lu, (size_t)*list, a, growth))
+            if (!invert(lu, (size_t)*list, a))
                 return (size_t)*list + 1;
     }
     return 0;
-}
-
-size_t flexel_lu_factor(const flexel_lu *lu, const int *source, const double *buffer, double *a)
-{
-    return factor(lu, source, buffer, a, FLEXEL_MOST_GROWTH);
-}
-
-size_t flexel_lu_factor_like(const flexel_lu *lu, const int *source, const double *buffer, double *a)
-{
-    return factor(lu, source, buffer, a, FLEXEL_MOST_GROWTH_LIKE);
 }
 
 int flexel_lu_sign(const flexel_lu *lu, const double *a)

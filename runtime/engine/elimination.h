@@ -36,10 +36,6 @@ size_t flexel_lu_operations(const flexel_lu *lu);
  * multiplied, if they all are so when the order is chosen. */
 size_t flexel_lu_factor(const flexel_lu *lu, const int *source, const double *buffer, double *a);
 
-/* The same with an order that was found for another matrix: pivots are too small below 1e-3 of what is left of their row.
- * Rounding is enlarged by no more than that, to 2e-13 of a rate, which is less than the tightest tolerance allows. */
-size_t flexel_lu_factor_like(const flexel_lu *lu, const int *source, const double *buffer, double *a);
-
 /* Solutions x of A x = b, and of A' x = b, for `count` columns: b and x are [n][count], C order, and may be the same;
  * work has n * count numbers. Leading rows of zeros, in the order of the pivots, cost nothing. */
 void flexel_lu_solve(const flexel_lu *lu, const double *a, size_t count, const double *b, double *x, double *work);

@@ -15,7 +15,7 @@ FLEXEL_INLINE mask invert(const flexel_lu *lu, size_t k, vec *a)
     const int d = lu->diagonal[k], u = lu->first[k + 1] - d - 1;
     const vec size = flexel_size(a[d]) * lu->scale[d], rest = norm(a + d + 1, lu->scale + d + 1, u);
     a[d] = 1 / a[d];
-    return (mask)(size - FLEXEL_LEAST_PIVOT * a[lu->slots + k]) | (mask)(size * FLEXEL_MOST_GROWTH_LIKE - rest);
+    return (mask)(size - FLEXEL_LEAST_PIVOT * a[lu->slots + k]) | (mask)(size * FLEXEL_MOST_GROWTH - rest);
 }
 
 FLEXEL_CLONES

@@ -5,10 +5,8 @@
 #include "elimination.h"
 #include "pivots.h"
 
-/* Largest size of a row when it is eliminated, relative to its pivot, with an order of this or of another matrix. */
-#define FLEXEL_MOST_GROWTH 1e4
-#define FLEXEL_MOST_GROWTH_LIKE 1e3
 #define FLEXEL_LEAST_PIVOT 1e-14 /* least size of a pivot relative to its row of the matrix, columns scaled */
+#define FLEXEL_MOST_GROWTH 1e4   /* largest size of a row when it is eliminated, relative to its pivot */
 
 /* Most pivots of a group. */
 #define FLEXEL_GROUP 4

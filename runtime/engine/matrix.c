@@ -51,7 +51,7 @@ void flexel_matrix_reset(flexel_matrix *A)
 
 int flexel_matrix_factor(flexel_matrix *A, const double *buffer)
 {
-    if (A->lu && !flexel_lu_factor_like(A->lu, A->source, buffer, A->a))
+    if (A->lu && !flexel_lu_factor(A->lu, A->source, buffer, A->a))
         return 0;
     return order(A, 1, buffer, 0) || flexel_lu_factor(A->lu, A->source, buffer, A->a) != 0;
 }
