@@ -168,9 +168,7 @@ def _overlaid(
                 part for part in drawing.shapes(state, view.sketches) if part.style not in UNSHOWN_STYLES
             ]
             lines = [line for part in parts for line in part.lines if len(line) > 1]
-            wide = (
-                [] if flat else [edge for part in parts for edge in edges(part)]
-            )  # beams as wide as they are
+            wide = [] if flat else [edge for part in parts for edge in edges(part)]
             for i, line in enumerate([*lines, *wide]):
                 shown, width = (line @ turn.T).T[: 2 if flat else 3], 2.0 if i < len(lines) else EDGE
                 axes.plot(*shown, color=colour, lw=width, label=label if i == 0 else None)

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from flexel.apps.view import drawing
-from flexel.apps.view.deflected import GREY, at_coordinates
+from flexel.apps.view.deflected import EDGE, GREY, at_coordinates
 from flexel.apps.view.figures import COLOURS, figure, save, unit_text
 from flexel.apps.view.poses import Poses
 from flexel.apps.view.primitives import edges, extent
@@ -34,7 +34,6 @@ STEPS = 20  # in which coordinates are moved
 CORRECTIONS = 5  # Newton steps after the last of them
 NEGLIGIBLE = 1e-9  # singular values, relative to the largest
 TRIAD = 0.22  # length of the arms of a triad, relative to the size of the model
-EDGE = 0.8  # width of the edges of a section
 ARMS = (COLOURS[1], COLOURS[2], COLOURS[3])  # colours of x, y and z
 SHAPE, SLIPPING = COLOURS[0], COLOURS[4]  # colours of an element that is deformed, and of one that slips
 PANEL_IN = 2.3  # width of a panel [in]
@@ -278,11 +277,11 @@ class _Pen:
 
     def triads(self, axes: Any, state: State, instance: Instance, named: bool = False) -> None:
         """Draw the triads of an element's nodes, with the names of nodes and arms if wanted."""
-        s, up = state.structure, self._turn[1 if self._flat else 2]
+        s, poses, up = state.structure, Poses(state), self._turn[1 if self._flat else 2]
         for origin, nodes in _places(state, instance):
             turning = [node for node in nodes if s.node(node).kind in ("frame", "planar_angle")]
             for node, style in zip(turning, ("-", ":"), strict=False):
-                arms = Poses(state).axes(node).T[: 2 if self._flat else 3]
+                arms = poses.axes(node).T[: 2 if self._flat else 3]
                 for letter, arm, colour in zip("xyz", arms, ARMS, strict=False):
                     end = origin + self._arm * arm
                     axes.plot(

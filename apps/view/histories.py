@@ -50,13 +50,12 @@ def plot_histories(
             if several or len(motions) > 1:
                 panel.legend(loc="best")
         start, end = min(motion.t[0] for motion in motions), max(motion.t[-1] for motion in motions)
-        axes[-1, 0].set_xlabel("time [s]" if motion.over_time else "load parameter")
+        label, over = ("time [s]", "time") if motion.over_time else ("load parameter", "the load")
+        axes[-1, 0].set_xlabel(label)
         if end > start:  # a motion interrupted immediately has only one state
             axes[-1, 0].set_xlim(start, end)
         shown = [name for members, _ in groups for name in members]
-        axes[0, 0].set_title(
-            caption(title, "plot") or f"{listed(shown, 4)} over {'time' if motion.over_time else 'the load'}"
-        )
+        axes[0, 0].set_title(caption(title, "plot") or f"{listed(shown, 4)} over {over}")
         drawn.align_ylabels()
     save(drawn, path)
     return drawn

@@ -36,9 +36,8 @@ class Poses:
         self._x = np.array([state.x for state in rows])
         self._e = np.array([state.e for state in rows])
         self._stresses = np.array([state.stresses for state in rows])
-        self._found: dict[
-            int, tuple[dict[str, Array], int]
-        ] = {}  # outputs by element, of the types asked for last
+        # outputs of several elements together, and the place in them, by element: those asked for last of each type
+        self._found: dict[int, tuple[dict[str, Array], int]] = {}
 
     def _given(self, rows: Array) -> Array:
         """Return rows of states as they are returned: without their axis for one state."""

@@ -54,7 +54,7 @@ class Carried(Segment):
     def on_path(self, t: float) -> Pending:
         """Return the state of the path at a time, to be completed by the equations of motion."""
         if t == self.last.t:
-            return Pending(self.kinematics, self.shown, self.last, self.path.at(t)[2])
+            return self.end(self.path.at(t)[2])
         moment, z = moment_on(self.kinematics, self.path, t, between(self.first, self.last, t))
         return Pending(self.kinematics, self.shown, moment, z)
 

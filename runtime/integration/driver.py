@@ -269,7 +269,6 @@ class DenseRun(Run):
         self._looks = EventSamples(events, start.t, self._values)
         self._span = float(times[-1] - times[0])
         self._shown: Kinematics = system.kinematics_of(start.roles)
-        self._last = self._shown  # the degrees of freedom of the last step
         # what the user's functions give later may be something else: states are then completed at once
         self._at_once = bool(self._callbacks) or any(map(calls_user, self._shown.time_functions))
 
@@ -298,12 +297,17 @@ class DenseRun(Run):
     @property
     def present(self) -> State:
         """The complete state at the current time."""
-        return Pending(self._last, self._shown, self.now, self.z).state()
+        return self._pending().state()
+
+    def _pending(self) -> Pending:
+        """Return the state at the current time, to be completed in the degrees of freedom of the last step."""
+        steps = self.result.segments
+        return Pending(steps[-1].kinematics if steps else self._shown, self._shown, self.now, self.z)
 
     def keep(self) -> None:
         """Store the current state, unless it is already stored."""
         if self.t > self.result.states.end:
-            self.result.states.append(Pending(self._last, self._shown, self.now, self.z))
+            self.result.states.append(self._pending())
 
     def strike(self) -> None:
         """Continue from here with the rates just after an impulse."""
@@ -336,7 +340,7 @@ class DenseRun(Run):
         """Continue from the end of a step, or end at a terminal event within it and return its message."""
         terminal: tuple[Event, State] | None = None
         if self.events:
-            last = Pending(step.kinematics, step.shown, step.last, z).state()
+            last = step.end(z).state()
             times = float(self.times[0]), self._span
             found, self._values = passages(self.events, step, last, self._values, times)
             self._looks.note(step.t1, self._values, found)
@@ -348,7 +352,7 @@ class DenseRun(Run):
         end = terminal[1].t if terminal else step.t1
         self._store(step, end, z)
         self.result.segments.append(replace(step, t1=end) if terminal else step)
-        self.now, self.z, self._last, self._shown = step.last, z, step.kinematics, step.shown
+        self.now, self.z, self._shown = step.last, z, step.shown
         if terminal:
             self.now, self.z = Snapshot.of(terminal[1]), terminal[1].z
             return f"stopped by event '{terminal[0].name}'"
@@ -359,5 +363,5 @@ class DenseRun(Run):
         states = self.result.states
         while len(states) < self.times.size and self.until <= end:
             at_end = self.until == step.last.t
-            found = Pending(step.kinematics, step.shown, step.last, z) if at_end else step.pending(self.until)
+            found = step.end(z) if at_end else step.pending(self.until)
             states.append(found.state() if self._at_once else found)

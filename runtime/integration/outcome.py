@@ -82,10 +82,14 @@ class Segment:
         y, nq, nd = self.dense(t), self.kinematics.roles.nq, self.kinematics.roles.nd
         q, qd, z = y[:nq], y[nq : nq + nd], y[nq + nd :]
         if t == self.last.t:
-            return Pending(self.kinematics, self.shown, self.last, z)
+            return self.end(z)
         guess = between(self.first, self.last, t)
         x, v, e = located(self.kinematics, t, q, qd, guess)
         return Pending(self.kinematics, self.shown, replace(guess, t=t, x=x, v=v, e=e), z)
+
+    def end(self, z: Array) -> Pending:
+        """Return the state at the end of the step, where the internal states are z (nz,)."""
+        return Pending(self.kinematics, self.shown, self.last, z)
 
     def state(self, t: float) -> State:
         """Return the complete state at a time within the step."""

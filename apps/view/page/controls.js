@@ -56,8 +56,10 @@ function recolour() {
   state.ranged = "";
   const name = get("colour").value;
   get("scales").hidden = !name || scene.modes.length > 0;
-  parts.forEach((part) => part.paint(null));
-  if (!name) showLegend("", null);
+  if (!name) {
+    showLegend("", null);
+    parts.forEach((part) => part.paint(null));
+  }
   state.dirty = true;
 }
 

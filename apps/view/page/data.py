@@ -60,21 +60,8 @@ def scene_data(
 
     Parameters
     ----------
-    frames : int
-        Equally spaced in time; for a motion without dense output, that many of its stored states.
-    between : (start, end), optional
-        Times [s] of the part to show; all by default.
-    view : View, optional
-        Camera, window, node to follow, trails and sketches.
-    title, caption : str
-        Written above the picture; the title is the time of the motion by default.
-    plots : sequence of str, optional
-        Quantities in the plot strip when the page opens, by the names of `Motion.series`; by default degrees of freedom
-        that a person can see.  The page offers more.
-    slower : float, optional
-        Seconds of picture per second of motion; by default chosen so that the motion can be followed.
-    progress : bool, optional
-        Progress bar on stderr; by default where stderr is a terminal.
+    frames, between, view, title, caption, plots, slower, progress
+        As for `Motion.view`.
 
     Returns
     -------
