@@ -145,11 +145,17 @@ class CoordinateWork(Struct):
         nd = self.struct.nd
         return self.G.reshape(-1, self.struct.columns)[:, :nd].copy()
 
-    def reset(self) -> None:
+    def reset(self, noise: float = 0.0) -> None:
         """Discard intermediate results, so that what follows depends on nothing computed before.
 
         These are pivot orders, and rates of fixed coordinates that a user's state may have had.
+
+        Parameters
+        ----------
+        noise : float
+            Relative error that rounding may cause in what follows: pivots that enlarge it beyond are sought anew.
         """
+        self.struct.P.noise = self.struct.A.noise = noise
         lib.flexel_reset(*self._pair)
 
     # -- calls: see explicit.h; each returns zero or the code of what failed ------------------------

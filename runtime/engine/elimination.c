@@ -2,7 +2,6 @@
 #include "kernels.h" /* for FLEXEL_CLONES */
 #include "lu_inside.h"
 
-#include <float.h>
 #include <stdlib.h>
 
 void flexel_lu_free(flexel_lu *lu)
@@ -28,25 +27,26 @@ size_t flexel_lu_operations(const flexel_lu *lu)
 }
 
 /* Whether a pivot is large enough; it is replaced by its inverse. */
-static inline int invert(const flexel_lu *lu, size_t k, double *a)
+static inline int invert(const flexel_lu *lu, size_t k, double growth, double *a)
 {
     const int d = lu->diagonal[k], u = lu->first[k + 1] - d - 1;
     const double size = fabs(a[d]) * lu->scale[d], rest = norm(a + d + 1, lu->scale + d + 1, u);
     const int sound = size > 0 && size <= DBL_MAX && size >= FLEXEL_LEAST_PIVOT * a[lu->slots + k] &&
-                      size * FLEXEL_MOST_GROWTH >= rest;
+                      size * growth >= rest;
     a[d] = 1 / a[d];
     return sound;
 }
 
 FLEXEL_CLONES
-size_t flexel_lu_factor(const flexel_lu *lu, const int *source, const double *buffer, double *a)
+size_t flexel_lu_factor(const flexel_lu *lu, double noise, const int *source, const double *buffer, double *a)
 {
+    const double growth = flexel_lu_growth(noise);
     const int *list = lu->list;
     load(lu, source, buffer, a);
     for (const flexel_pass *pass = lu->pass; pass < lu->pass + lu->npasses; pass++) {
         list = eliminate(pass, list, a);
         for (int i = 0; i < pass->pivots; i++, list++)
-            if (!invert(lu, (size_t)*list, a))
+            if (!invert(lu, (size_t)*list, growth, a))
                 return (size_t)*list + 1;
     }
     return 0;

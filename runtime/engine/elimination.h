@@ -28,13 +28,14 @@ size_t flexel_lu_slots(const flexel_lu *lu);
 size_t flexel_lu_operations(const flexel_lu *lu);
 
 /* Factors, into a (slots), of the matrix whose entry i is buffer[source[i]]. Zero, or one more than the number of the
- * a pivot that is zero, not finite, below 1e-14 of its row, or below 1e-4 of what is left of its row when it is
- * eliminated: the factors are then incomplete, and the pivots must be ordered again, from these values.
+ * a pivot that is zero, not finite, below 1e-14 of its row, or so small beside what is left of its row when it is
+ * eliminated, 1e-4 to 1e-3, that rounding errors of solutions may exceed `noise`: the factors are then incomplete, and the
+ * pivots must be ordered again, from these values.
  *
  * The size of a row is the sum of those of its entries. Columns are compared by the scales found with the order, rows
  * as they are: matrices whose rows are multiplied by any numbers are treated alike, and those whose columns are
  * multiplied, if they all are so when the order is chosen. */
-size_t flexel_lu_factor(const flexel_lu *lu, const int *source, const double *buffer, double *a);
+size_t flexel_lu_factor(const flexel_lu *lu, double noise, const int *source, const double *buffer, double *a);
 
 /* Solutions x of A x = b, and of A' x = b, for `count` columns: b and x are [n][count], C order, and may be the same;
  * work has n * count numbers. Leading rows of zeros, in the order of the pivots, cost nothing. */

@@ -145,7 +145,7 @@ class PivotOrder:
         """Factorize a stored matrix (stored,); return None if a pivot is too small."""
         a = np.empty(self.slots)
         source, values = ffi.from_buffer("int[]", self._source), ffi.from_buffer("double[]", stored)
-        if lib.flexel_lu_factor(self.lu, source, values, ffi.from_buffer("double[]", a)):
+        if lib.flexel_lu_factor(self.lu, 1.0, source, values, ffi.from_buffer("double[]", a)):
             return None
         return Eliminated(self, a)
 

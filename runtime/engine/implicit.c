@@ -245,7 +245,7 @@ static int iterate(flexel_step *s)
         s->iterations++;
         if (!s->lu)
             return fresh ? FLEXEL_FACTORIZE : FLEXEL_SOLVE;
-        if (fresh && flexel_lu_factor(s->lu, s->source, s->values, s->factors))
+        if (fresh && flexel_lu_factor(s->lu, 1, s->source, s->values, s->factors))
             return FLEXEL_FACTORIZE;
         flexel_lu_solve(s->lu, s->factors, 1, s->step, s->step, s->space);
         search(s);

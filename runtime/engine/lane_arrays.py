@@ -77,7 +77,7 @@ class LaneCoordinateWork(LaneStruct):
             setattr(c, name, getattr(one.struct, name))
         for name in ("n", "nentries", "rows", "columns", "source"):
             setattr(c.P, name, getattr(one.struct.P, name))
-        c.P.lu, c.tolerance = one.struct.P.first, TOLERANCE
+        c.P.lu, c.P.noise, c.tolerance = one.struct.P.first, one.struct.P.noise, TOLERANCE
         factors = aligned(lib.flexel_lu_slots(c.P.lu) * LANES)
         c.P.a = self.pointer(factors)
         nd, nk, nf = c.nd, c.nk, s.nf

@@ -10,12 +10,12 @@
 
 /* The inverse of a pivot; negative numbers tell that it is not sound. Zeros and what is not finite are found later: they make
  * the solution infinite, or not a number. */
-FLEXEL_INLINE mask invert(const flexel_lu *lu, size_t k, vec *a)
+FLEXEL_INLINE mask invert(const flexel_lu *lu, size_t k, double growth, vec *a)
 {
     const int d = lu->diagonal[k], u = lu->first[k + 1] - d - 1;
     const vec size = flexel_size(a[d]) * lu->scale[d], rest = norm(a + d + 1, lu->scale + d + 1, u);
     a[d] = 1 / a[d];
-    return (mask)(size - FLEXEL_LEAST_PIVOT * a[lu->slots + k]) | (mask)(size * FLEXEL_MOST_GROWTH - rest);
+    return (mask)(size - FLEXEL_LEAST_PIVOT * a[lu->slots + k]) | (mask)(size * growth - rest);
 }
 
 FLEXEL_CLONES
@@ -23,13 +23,14 @@ void flexel_lanes_factor(const flexel_matrix *A, const double *buffer, mask *uns
 {
     const flexel_lu *lu = A->lu;
     vec *a = V(A->a);
+    const double growth = flexel_lu_growth(A->noise);
     mask negative = {0};
     load(lu, A->source, V(buffer), a);
     const int *list = lu->list;
     for (const flexel_pass *pass = lu->pass; pass < lu->pass + lu->npasses; pass++) {
         list = eliminate(pass, list, a);
         for (int i = 0; i < pass->pivots; i++, list++)
-            negative |= invert(lu, (size_t)*list, a);
+            negative |= invert(lu, (size_t)*list, growth, a);
     }
     *unsound |= flexel_negative(negative);
 }

@@ -5,8 +5,12 @@
 #include "elimination.h"
 #include "pivots.h"
 
+#include <float.h>
+#include <math.h>
+
 #define FLEXEL_LEAST_PIVOT 1e-14 /* least size of a pivot relative to its row of the matrix, columns scaled */
 #define FLEXEL_MOST_GROWTH 1e4   /* largest size of a row when it is eliminated, relative to its pivot */
+#define FLEXEL_LEAST_GROWTH 1e3  /* the same where the solution must be exact: pivots that are found anew reach it */
 
 /* Most pivots of a group. */
 #define FLEXEL_GROUP 4
@@ -53,6 +57,13 @@ typedef struct {
     int *below;      /* (count + 1): where the list of rows below begins */
     int *multiplier; /* of each such row */
 } flexel_groups;
+
+/* Largest size of a row when it is eliminated, relative to its pivot, for solutions with an error of `noise` at most: rows
+ * enlarge rounding by about their size. */
+static inline double flexel_lu_growth(double noise)
+{
+    return fmin(fmax(noise / DBL_EPSILON, FLEXEL_LEAST_GROWTH), FLEXEL_MOST_GROWTH);
+}
 
 /* The tables for pivots that are all found; NULL if memory is exhausted. `scale` is of the columns of the matrix. */
 flexel_lu *flexel_lu_tables(const flexel_pivots *pivots, size_t nentries, const int *rows, const int *columns,

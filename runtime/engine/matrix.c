@@ -51,9 +51,9 @@ void flexel_matrix_reset(flexel_matrix *A)
 
 int flexel_matrix_factor(flexel_matrix *A, const double *buffer)
 {
-    if (A->lu && !flexel_lu_factor(A->lu, A->source, buffer, A->a))
+    if (A->lu && !flexel_lu_factor(A->lu, A->noise, A->source, buffer, A->a))
         return 0;
-    return order(A, 1, buffer, 0) || flexel_lu_factor(A->lu, A->source, buffer, A->a) != 0;
+    return order(A, 1, buffer, 0) || flexel_lu_factor(A->lu, 1, A->source, buffer, A->a) != 0;
 }
 
 void flexel_matrix_clear(flexel_matrix *A)

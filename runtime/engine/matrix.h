@@ -15,6 +15,7 @@ typedef struct {
     flexel_lu *first, *lu;
     double *a;
     size_t size, orders;
+    double noise; /* relative error of solutions that rounding may cause before pivots are ordered anew */
 } flexel_matrix;
 
 /* Find the first pivot order, sound for all samples, or for the first one alone; none is kept if there is none. The buffers

@@ -30,6 +30,7 @@ TRAVEL = 0.8  # largest change of a coordinate before the flat position, in natu
 SHORTER, TRIALS = 0.6, 9  # lengths that are tried
 SNAP = 0.4  # distance of the end of a step where a path may begin instead, relative to the length
 LEAST = 1e-12  # error that is allowed at any tolerance
+DECISIVE = 1e-7  # largest distance from the constraints: a linkage that is flat but for its square turns back
 JOINED = 100.0  # distance between path and motion where the path goes on alone, in allowed errors
 BEFORE = 0.05  # least time from there to the flat position, relative to the length
 CENTRED, CENTRINGS = 0.04, 3  # distance of the flat position from the middle, relative to the length
@@ -74,7 +75,8 @@ class Crossing:
     evaluations: int = field(init=False, default=0)
 
     def __post_init__(self) -> None:
-        self._allowed = max(self.tolerance, LEAST)
+        self._motion = max(self.tolerance, LEAST)
+        self._allowed = min(self._motion, DECISIVE)
         self._history = self._known()
 
     def steps(self, flat: float) -> list[Carried]:
@@ -136,9 +138,10 @@ class Crossing:
         """Try a path that begins at a time [s]; return its steps, or none."""
         start, z = self._at(t0)
         kinematics = self._choice(start)
-        known = [start, *(self._at(t)[0] for t in np.linspace(t0, self.now.t, KNOWN)[1:].tolist() if t > t0)]
-        sweeps = Sweeps(kinematics, self.knots, start, z, self._allowed)
+        later = [self._at(t)[0] for t in np.linspace(t0, self.now.t, KNOWN)[1:].tolist() if t > t0]
+        sweeps = Sweeps(kinematics, self.knots, z, self._allowed)
         try:
+            known = [sweeps.begin(start), *later]
             for _ in range(CENTRINGS):
                 t1 = min(2 * flat - t0, self.stop)
                 if t1 <= self.now.t:
@@ -150,7 +153,7 @@ class Crossing:
                     return []
                 flat = t0 + share * (t1 - t0)
                 if abs(share - 0.5) <= CENTRED or t1 == self.stop:
-                    exact = max(errors) <= self._allowed
+                    exact = errors.terms <= self._motion and sweeps.on_constraints(errors)
                     return self._divided(sweeps, path, self._joint(path, flat), flat) if exact else []
         except FlexelError as error:
             log.debug("no path from %.9g s: %s", t0, error)
@@ -165,7 +168,7 @@ class Crossing:
         shared = (
             moment
             for moment in ends
-            if path.t0 < moment.t <= latest and self._off(path, moment) <= JOINED * self._allowed
+            if path.t0 < moment.t <= latest and self._off(path, moment) <= JOINED * self._motion
         )
         return next(shared, self._at(path.t0)[0])
 

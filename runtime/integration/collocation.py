@@ -25,6 +25,7 @@ from flexel.model.snapshot import Snapshot
 MOST = 30  # sweeps
 CONVERGED = 0.03  # change in a sweep, relative to what is allowed
 STALLED = 0.5  # change, relative to that of the last sweep, from which on it is rounding
+ROUNDING = 1e-10  # change and distance from the constraints that are accepted as rounding, in natural scales
 UNSURE, SURE = 0.01, 1e-5  # of the time of the flat position, by its fit and at last, relative to the length
 AGAIN = 3  # sweeps that are taken in any case
 LEAST = float(np.log(np.finfo(float).tiny))  # logarithm of a determinant that is zero
@@ -49,7 +50,6 @@ class Sweeps:
     ----------
     kinematics : Kinematics
     knots : Knots
-    start : Snapshot
     z : ndarray (nz,)
         Internal states at the start.
     allowed : float
@@ -57,18 +57,34 @@ class Sweeps:
 
     Attributes
     ----------
+    start : Snapshot
+        Where the path begins.
     evaluations : int
         That were made so far.
     """
 
-    def __init__(
-        self, kinematics: Kinematics, knots: Knots, start: Snapshot, z: Array, allowed: float
-    ) -> None:
-        self.kinematics, self._knots, self._start, self._z = kinematics, knots, start, z
-        self._allowed, self._weight = allowed, kinematics.lists.step_weight
+    def __init__(self, kinematics: Kinematics, knots: Knots, z: Array, allowed: float) -> None:
+        self.kinematics, self._knots, self._z = kinematics, knots, z
+        self._converged, self._allowed = CONVERGED * allowed, max(allowed, ROUNDING)
+        self._weight = kinematics.lists.step_weight
+        self.start: Snapshot
         self._off = np.inf
         self._determinant = np.zeros(POINTS)
         self.evaluations = 0
+
+    def begin(self, start: Snapshot) -> Snapshot:
+        """Begin at an instant, and return it on the constraints.
+
+        A step ends there within its tolerance only, and this distance grows towards a flat position.
+
+        Raises
+        ------
+        PositionError, ConstraintError
+            Where it cannot be placed there.
+        """
+        nf = self.kinematics.structure.nf
+        self.start = self._placed(start.t, start.x[:nf], start.v[:nf], start)
+        return self.start
 
     def path(self, guess: Path) -> tuple[Path, Errors]:
         """Compute the path that follows from a guess.
@@ -83,11 +99,15 @@ class Sweeps:
             following = self._sweep(path)
             before, change = change, self._distance(following, path)
             path = following
-            if not np.isfinite(change) or change <= CONVERGED * self._allowed:
+            if not np.isfinite(change) or change <= self._converged:
                 break
             if sweep >= AGAIN and self._allowed >= change > STALLED * before:
                 break
         return path, Errors(change, self._terms(path), self._off)
+
+    def on_constraints(self, errors: Errors) -> bool:
+        """Whether a path satisfies the constraints and the equations of motion, up to rounding."""
+        return max(errors.change, errors.off) <= self._allowed
 
     @property
     def flat(self) -> float | None:
@@ -96,7 +116,7 @@ class Sweeps:
 
     def exactly(self, path: Path, flat: float) -> float:
         """Find the time of a flat position of a path near a time [s], where the determinant is least."""
-        size, start = path.t1 - path.t0, self._start
+        size, start = path.t1 - path.t0, self.start
         found = minimize_scalar(
             lambda t: self._size(path, t, start),
             bounds=(flat - UNSURE * size, flat + UNSURE * size),
@@ -133,7 +153,7 @@ class Sweeps:
         return Snapshot(t, x, v, e, work.jvp(v)[: e.size])
 
     def _sweep(self, path: Path) -> Path:
-        nf, last, times = self.kinematics.structure.nf, self._start, path.times
+        nf, last, times = self.kinematics.structure.nf, self.start, path.times
         found = Rates(*(np.empty((POINTS, size)) for size in (nf, self._z.size, 2)))
         x, v, z = path.at_points()
         self._off = 0.0
@@ -142,7 +162,7 @@ class Sweeps:
             self._off = max(self._off, self._largest(last.x[:nf] - x[i]))
             found.a[i], found.zd[i], found.powers[i] = self._rates(last, z[i])
             self._determinant[i] = self.kinematics.choice.determinant
-        return Path.integral(self._start, self._z, path.t1, found)
+        return Path.integral(self.start, self._z, path.t1, found)
 
     def _rates(self, at: Snapshot, z: Array) -> tuple[Array, Array, tuple[float, float]]:
         """Return accelerations, rates of internal states, and powers."""

@@ -93,7 +93,7 @@ class Steps(Struct):
     def start(self, now: Snapshot, y: Array, knots: Knots, covered: Covered) -> None:
         """Begin at an instant; what follows depends on nothing computed before, but for what the motion has covered."""
         self._knots, self.covered, self.struct.covered = knots, covered, covered.struct
-        self.choice.reset()
+        self.choice.reset(self.struct.rtol)
         self.choice.struct.accept = 0.0
         self.y[:], self.x[:], self.e[:] = y, now.x, now.e[self._periodic]
         covered.begin(y)

@@ -73,6 +73,7 @@ class SaddleFactors(Struct):
         matrix = getattr(self.struct, name)
         lib.flexel_matrix_clear(ffi.addressof(matrix))
         matrix.n, matrix.nentries = entries.size, entries.rows.size
+        matrix.noise = 1.0  # Newton's method corrects what rounding does
         for field in ("rows", "columns", "source"):
             setattr(matrix, field, ffi.from_buffer("int[]", getattr(entries, field)))
         self._entries[name] = entries

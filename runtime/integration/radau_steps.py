@@ -110,7 +110,7 @@ class Collocation(Struct):
         twice[self._turning] = twice[roles.nq + self._turning] = (
             2.0  # Euler parameters turn by half of an angle
         )
-        self._tight = estimated(rtol)
+        self._rtol, self._tight = rtol, estimated(rtol)
         c.rtol, c.tolerance = self._tight, max(ROUNDING / self._tight, min(LOOSEST, self._tight**0.5))
         self._atol = atol * twice * (self._tight / rtol)
         natural = natural_scales_of_y(kinematics) * twice
@@ -167,7 +167,7 @@ class Collocation(Struct):
             If the rates cannot be evaluated.
         """
         self._knots, self._covered, self.struct.covered = knots, covered, covered.struct
-        self.choice.reset()
+        self.choice.reset(self._rtol)
         self.choice.struct.accept = 0.0
         self.struct.t = now.t
         self.y[:], self.x[:], self.v[:], self.e[:], self.ed[:] = y, now.x, now.v, now.e, now.ed

@@ -8,7 +8,12 @@ import pytest
 from branch_case import table, verdict
 from branch_families import COUNTS, cases
 
-pytestmark = [pytest.mark.campaign, pytest.mark.slow]
+pytestmark = [
+    pytest.mark.campaign,
+    pytest.mark.slow,
+    # at rtol 1e-3 the audit tells of steps that are too long; they must not be on another branch nevertheless
+    pytest.mark.filterwarnings("ignore::flexel.AuditWarning"),
+]
 SCIPY = {"RK45": (1e-9, 1e-3), "LSODA": (1e-9, 1e-3), "Radau": (1e-6, 1e-3), "BDF": (1e-6, 1e-3)}
 
 
