@@ -52,8 +52,9 @@ class Crossing:
         Internal states now.
     since : float
         Time [s] from which on all functions of time are smooth, and no sampled controller has acted.
-    stop : float
-        Time [s] at which this ends.
+    stop, until : float
+        Times [s] at which the motion ends, and up to which all functions of time are smooth: a path may end beyond the
+        motion.
     kinematics, shown : Kinematics
         Its degrees of freedom, and those in which states are given.
     knots : Knots
@@ -68,6 +69,7 @@ class Crossing:
     z: Array
     since: float
     stop: float
+    until: float
     kinematics: Kinematics
     shown: Kinematics
     knots: Knots
@@ -143,7 +145,7 @@ class Crossing:
         try:
             known = [sweeps.begin(start), *later]
             for _ in range(CENTRINGS):
-                t1 = min(2 * flat - t0, self.stop)
+                t1 = min(2 * flat - t0, self.until)
                 if t1 <= self.now.t:
                     return []
                 path, errors = sweeps.path(Path.through(known, kinematics.structure.nf, z, t1))
@@ -152,7 +154,7 @@ class Crossing:
                 if share is None:
                     return []
                 flat = t0 + share * (t1 - t0)
-                if abs(share - 0.5) <= CENTRED or t1 == self.stop:
+                if abs(share - 0.5) <= CENTRED or t1 == self.until:
                     exact = errors.terms <= self._motion and sweeps.on_constraints(errors)
                     return self._divided(sweeps, path, self._joint(path, flat), flat) if exact else []
         except FlexelError as error:
@@ -181,10 +183,10 @@ class Crossing:
 
     def _divided(self, sweeps: Sweeps, path: Path, joint: Snapshot, flat: float) -> list[Carried]:
         """Divide the rest of a path, from an instant on, into steps."""
-        flat, ends = sweeps.exactly(path, flat), np.linspace(joint.t, path.t1, PIECES + 1)[1:]
+        flat, ends = sweeps.exactly(path, flat), np.linspace(joint.t, min(path.t1, self.stop), PIECES + 1)[1:]
         close = 2 * CLOSE * (path.t1 - path.t0)
         steps, first = [], joint
-        for t in ends[(np.abs(ends - flat) > close) | (ends == path.t1)].tolist():
+        for t in ends[(np.abs(ends - flat) > close) | (ends == ends[-1])].tolist():
             last = sweeps.moment(path, t, first)
             steps.append(
                 Carried(first.t, t, sweeps.kinematics, self.shown, None, first, last, path=path, flat=flat)

@@ -29,6 +29,7 @@ from flexel.integration.imbalance import AT_REST, ROUNDING, STEPS, Imbalance, ex
 from flexel.integration.outcome import Integration, Pending, Segment
 from flexel.mechanics.amplification import amplification, lost
 from flexel.mechanics.kinematics import Kinematics
+from flexel.mechanics.timed_laws import timed_law
 from flexel.model.snapshot import Snapshot
 from flexel.model.state import State
 from flexel.model.structure import Structure
@@ -132,6 +133,13 @@ class MinimalRun(DenseRun):
     def statistics(self) -> dict[str, int]:
         """Counts of what was done."""
         return dict(self.counts)
+
+    @property
+    def timed(self) -> bool:
+        """Whether anything depends on time itself: a prescribed motion, a load, a law, a sampled controller."""
+        own = self.kinematics
+        varying = bool(own.roles.motions) or not own.loads.constant or bool(self.sampling.all)
+        return varying or timed_law(own.structure) is not None
 
     @property
     def kinematics(self) -> Kinematics:
@@ -250,6 +258,7 @@ class MinimalRun(DenseRun):
             self.z,
             self.smooth_since,
             self.stop,
+            self.stop if self.timed else np.inf,
             self.kinematics,
             self._shown,
             self.knots,

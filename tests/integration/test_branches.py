@@ -18,7 +18,8 @@ from flexel.derive import Deformation, Element, Frame, Parameter, Point
 
 SAMPLE = [
     ("double", 0), ("double", 1), ("double", 4), ("triple", 1), ("triple", 0), ("four-bar", 1), ("four-bar", 2),
-    ("change-point", 1), ("change-point", 2), ("parallelogram", 0), ("slider-crank", 0), ("slider-crank", 1),
+    ("change-point", 0), ("change-point", 1), ("change-point", 2), ("change-point", 10), ("parallelogram", 0),
+    ("slider-crank", 0), ("slider-crank", 1),
     ("spatial", 1), ("spatial", 2), ("ball", 0), ("rssr", 1), ("wheel", 2), ("cardan", 0), ("driven", 0),
     ("driven", 1), ("rotor", 2), ("screw", 0),
 ]  # fmt: skip

@@ -128,6 +128,22 @@ def test_a_motion_that_turns_at_a_change_point_goes_back(loops: int, beyond: flo
     assert motion.t[-1] == DURATION and motion.warnings == () and error < 1e-8
 
 
+@pytest.mark.parametrize("after", [1e-3, 0.008])
+@pytest.mark.parametrize("rtol", [1e-6, 1e-12])
+def test_a_motion_may_start_and_end_close_to_a_change_point(after: float, rtol: float) -> None:
+    """The path across it ends beyond the motion, as far behind the change point as it begins before."""
+    linkage, rate = parallel([1.0], start=-0.008), 2.0
+    times, point = (
+        np.array([0.0, (0.008 + after) / rate]),
+        next(name for name in linkage.places if name.startswith("A")),
+    )
+    system = linkage.system()
+    start = system.state_at(rates={f"{point}.y": rate * linkage.rate(f"{point}.y")})
+    motion = system.simulate(times[-1], start=start, times=times, rtol=rtol, method="DOP853")
+    assert linkage.error(motion, linkage.follow(rate, times)) < 1e-9
+    assert motion.warnings == () and motion.statistics["evaluations"] < 300
+
+
 def hit(loops: int, later: float) -> tuple[fx.System, float, float]:
     """Parallelograms that a load hits when they are flat, or later; their rate at the start, and the time [s]."""
     linkage, rate = parallel([1.0] * loops), -2.0
