@@ -18,6 +18,7 @@ from flexel.results.motion import Motion, with_options_of
 from flexel.results.saved.archive import integration_of, record_of
 from flexel.results.saved.record import Record, Variable, require
 from flexel.results.saved.record_files import write
+from flexel.statics.compliance import RIGID_TOLERANCE
 
 if TYPE_CHECKING:
     from flexel.apps.view.options import MotionOptions
@@ -112,6 +113,22 @@ class Flexure:
         return self._of("buckling")
 
     @property
+    def tracked_frequencies(self) -> dict[str, Array]:
+        """Natural frequencies (steps,) [Hz] of each mode, followed over the steps by its shape.
+
+        Names are short: a number, and the direction and node that move most.  NaN where a mode is not among the lowest.
+        """
+        return self._lines("tracked_frequency", "tracked_mode")
+
+    @property
+    def tracked_buckling(self) -> dict[str, Array]:
+        """Buckling multipliers (steps,) of each mode, followed over the steps as `tracked_frequencies` are."""
+        return self._lines("tracked_buckling", "tracked_buckling_mode")
+
+    def _lines(self, name: str, dimension: str) -> dict[str, Array]:
+        return dict(zip(self.labels[dimension], self._of(name).T, strict=True))
+
+    @property
     def stress(self) -> Array:
         """Largest equivalent stress of each element (steps, m) [Pa]; NaN for rigid elements."""
         return self._of("stress")
@@ -139,6 +156,23 @@ class Flexure:
             ]
         )
 
+    def stiffness(self, node: int, body_axes: bool = False) -> Array:
+        """Return the stiffness of a node at all steps (steps, 6): in x, y, z [N/m] and about x, y, z [N m/rad].
+
+        In each direction with all others free: 1 / C_ii of its compliance; infinite where it cannot move, apart from
+        rounding.
+
+        Parameters
+        ----------
+        node : int
+            Row of the table of nodes, from 1.
+        body_axes : bool
+            Whether the directions turn with the node.
+        """
+        C = np.diagonal(self.compliance(node, body_axes), axis1=1, axis2=2)
+        rigid = np.abs(C) <= RIGID_TOLERANCE * np.max(np.abs(C), axis=0)
+        return np.divide(1.0, C, out=np.full_like(C, np.inf), where=~rigid)
+
     def __len__(self) -> int:
         """Number of steps, including the initial one."""
         return len(self.steps)
@@ -160,8 +194,7 @@ class Flexure:
     def plot(self, *nodes: int, path: str | Path | None = None) -> Figure:
         """Plot displacements, frequencies, largest stress and buckling multipliers over the load (needs matplotlib).
 
-        Modes are tracked by their shapes and named after the node and direction that move most; a line ends if its
-        mode is no longer among the computed ones.
+        Modes are those of `tracked_frequencies` and `tracked_buckling` that are among the lowest three at any step.
 
         Parameters
         ----------
@@ -173,6 +206,26 @@ class Flexure:
         from flexel.apps.view.flexure_graphs import plot_flexure
 
         return plot_flexure(self, nodes, path)
+
+    def plot_stiffness(
+        self, node: int, along: str = "", *, body_axes: bool = False, path: str | Path | None = None
+    ) -> Figure:
+        """Plot the stiffness of a node in every direction over its travel (needs matplotlib).
+
+        Parameters
+        ----------
+        node : int
+            Row of the table of nodes, from 1.
+        along : str
+            Direction of the travel: x, y or z; by default the one in which the node moves farthest.
+        body_axes : bool
+            Whether the directions turn with the node.
+        path : path, optional
+            Where to write the figure.
+        """
+        from flexel.apps.view.flexure_graphs import plot_stiffness
+
+        return plot_stiffness(self, node, along, body_axes, path)
 
     def plot_shapes(self, *steps: int, path: str | Path | None = None, **options: Any) -> Figure:
         """Draw the mechanism at some steps over its drawn shape; by default the last step. Options as in `Motion`."""

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from flexel.apps.flexures.input_tables import FlexureTables, group_owner, node_owner, read_tables
-from flexel.apps.flexures.node_loads import load_node
+from flexel.apps.flexures.node_loads import BOTH_WAYS, ONE_WAY, Schedule, load_node
 from flexel.apps.flexures.properties import ElementProperties, NodeProperties
 from flexel.apps.flexures.showing import show
 from flexel.apps.flexures.warping_conditions import warping_ends
@@ -45,12 +45,13 @@ def flexure_model(
 
     The arguments are those of `flexure`.  Nodes are called "node 1" and "frame 1", …, elements "element 1", …; the
     beams of a divided element "element 1 beam 1", ….  Loads and prescribed motions are functions of time: from
-    -1 to 0 the initial ones grow, from 0 to 1 the others.
+    -1 to 0 the initial ones grow, from 0 to 1 the others.  With `both_ways` the initial ones grow from -3 to -2; the
+    others then decrease until -1 and grow until 1.
 
     Parameters
     ----------
     nodes, elements, node_properties, element_properties, options
-        As of `flexure`; of the options gravity alone matters.
+        As of `flexure`; of the options only gravity and both_ways matter.
 
     Raises
     ------
@@ -63,6 +64,11 @@ def flexure_model(
     >>> print(m.check())  # doctest: +SKIP
     """
     return declared(read_tables(nodes, elements, node_properties, element_properties, options))
+
+
+def schedule_of(tables: FlexureTables) -> Schedule:
+    """Return the shares of the loads over time."""
+    return BOTH_WAYS if tables.options.both_ways else ONE_WAY
 
 
 def declared(tables: FlexureTables) -> Model:
@@ -79,7 +85,7 @@ def declared(tables: FlexureTables) -> Model:
         _element(m, i, (p, q), tables)
         show(m, [name for name in m.instances if name not in before], tables, i)
     for node, given in tables.nodes.items():
-        load_node(m, node, given)
+        load_node(m, node, given, schedule_of(tables))
     if all(np.all(m.nodes[node_name(i + 1)].fixed) for i in range(len(tables.places))):
         raise ModelError("flexure: node_properties: all nodes are fixed, nothing can move; leave one free")
     return m

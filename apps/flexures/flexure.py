@@ -3,9 +3,12 @@
 from __future__ import annotations
 
 import warnings
+from itertools import pairwise
 from typing import Any
 
-from flexel.apps.flexures.declaring import declared
+import numpy as np
+
+from flexel.apps.flexures.declaring import declared, schedule_of
 from flexel.apps.flexures.input_tables import read_tables
 from flexel.apps.flexures.measuring import Measuring
 from flexel.apps.flexures.releasing import freed
@@ -21,8 +24,6 @@ from flexel.results.motion import Motion
 from flexel.results.system_facade import System
 from flexel.statics.load_path import static_path
 
-UNLOADED_TIME_S = -1.0  # time at which only gravity acts
-
 
 @in_one_thread
 def flexure(
@@ -33,7 +34,7 @@ def flexure(
     Each node has a position and an orientation, initially that of the global axes.  An element joins two nodes; it
     is rigid, or a leaf spring of several beams.  Over-constraint is released, first that of flexible elements, the
     largest contribution first; the result names what was released, which keeps the stiffness of its section.
-    Nothing is printed.
+    With the option `both_ways` the loads go from -1 to 1 of what is given.  Nothing is printed.
 
     Parameters
     ----------
@@ -83,10 +84,11 @@ def flexure(
     tables = read_tables(nodes, elements, node_properties, element_properties, options)
     model = declared(tables)
     released, redundant = freed(model, tables.options.release)
-    system = model.build(t=UNLOADED_TIME_S)
+    schedule = schedule_of(tables)
+    system = model.build(t=schedule.times[0])
     measuring = Measuring(tables, model, system)
     with warned_together():
-        states, message = _load_steps(system, model, tables.options.steps)
+        states, message = _load_steps(system, model, tables.options.steps, schedule.times)
         variables = measuring.variables(states)
     steps = Integration.of_equilibria(states, message)
     path = steps.states
@@ -117,19 +119,30 @@ def _warn_stresses(found: Flexure, elements: int) -> None:
         )
 
 
-def _load_steps(system: System, model: Model, steps: int) -> tuple[list[State], str]:
-    """Find equilibria under the initial loads and at each step; return a message if not all are found."""
-    state = system.equilibrium(t=UNLOADED_TIME_S)
-    states = [
-        _followed(system, state, 0.0)
-        if _changes(model, UNLOADED_TIME_S, 0.0)
-        else system.equilibrium(state, t=0.0)
-    ]
-    for i in range(1, steps + 1 if _changes(model, 0.0, 1.0) else 1):
+def _load_steps(
+    system: System, model: Model, steps: int, times: tuple[float, ...]
+) -> tuple[list[State], str]:
+    """Find equilibria at the load steps; return a message if not all are found.
+
+    Parameters
+    ----------
+    steps : int
+        From the initial loads to all loads.
+    times : tuple of float
+        Without loads, with the initial loads, the first step where that is another one, and with all loads.
+    """
+    state = system.equilibrium(t=times[0])
+    for before, t in pairwise(times[:-1]):
+        changes = _changes(model, before, t)
+        state = _followed(system, state, t) if changes else system.equilibrium(state, t=t)
+    states, begin = [state], times[-2]
+    shares = np.linspace(begin, 1.0, 1 + steps * round(1.0 - begin)).tolist()
+    for before, share in pairwise(shares if _changes(model, begin, 1.0) else shares[:1]):
         try:
-            states.append(_followed(system, states[-1], i / steps))
+            states.append(_followed(system, states[-1], share))
         except (PositionError, DynamicsError) as error:
-            message = f"flexure: stopped after step {i - 1} of {steps}, at {(i - 1) / steps:.3g} of the loads: {error}"
+            done = f"after step {len(states) - 1} of {len(shares) - 1}, at {before:.3g} of the loads"
+            message = f"flexure: stopped {done}: {error}"
             warnings.warn(message, IncompleteWarning, stacklevel=outside())
             return states, message
     return states, ""

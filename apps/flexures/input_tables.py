@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from flexel.apps.flexures.properties import ElementProperties, FlexureOptions, NodeProperties, properties_of
-from flexel.base.arguments import array, index, names, vector, whole
+from flexel.base.arguments import array, flag, index, names, vector, whole
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 
@@ -178,6 +178,7 @@ def _options(given: Any, count: int) -> FlexureOptions:
     owner = "flexure: options"
     options = properties_of(FlexureOptions, {} if given is None else given, owner)
     whole(options.steps, owner, "steps")
+    flag(options.both_ways, owner, "both_ways")
     vector(options.gravity, owner, "gravity", 3)
     if not isinstance(options.release, (bool, np.bool_)):
         names(options.release, f"{owner}: release")

@@ -8,6 +8,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from flexel.apps.flexures.input_tables import FlexureTables
+from flexel.apps.flexures.mode_tracking import tracked
 from flexel.base.arrays import Array
 from flexel.base.callers import outside
 from flexel.base.errors import DynamicsError, IncompleteWarning
@@ -26,6 +27,9 @@ TURNS = ("about z", "about new y", "about new x")
 
 
 MAX_LOAD_MULTIPLIER = 1e9  # multiplier above which no flexible part carries the load
+TRACKED_BEYOND = (
+    6  # modes that are computed beyond those wanted, so that tracked ones go on where modes change places
+)
 
 
 class Measuring:
@@ -34,29 +38,36 @@ class Measuring:
     Attributes
     ----------
     notes : list of str
-        Results that could not be found.
+        Results that could not be found, and why.
+    tracked : dict of str to tuple of str
+        Short names of the tracked modes, by the dimension of their arrays.
     """
 
     def __init__(self, tables: FlexureTables, model: Model, system: System) -> None:
         self.tables, self.model, self.system = tables, model, system
         self.notes: list[str] = []
+        self.tracked: dict[str, tuple[str, ...]] = {}
         self.nodes = range(1, len(tables.places) + 1)
 
     def labels(self, variables: Mapping[str, Variable]) -> dict[str, tuple[str, ...]]:
         """Return the names along the dimensions of the arrays."""
         counts = {"mode": "frequency", "buckling_mode": "buckling"}
         numbers = {key: range(1, variables[name].values.shape[1] + 1) for key, name in counts.items()}
-        return {key: tuple(map(str, labels)) for key, labels in numbers.items()} | {
-            "node": tuple(map(str, self.nodes)),
-            "element": tuple(str(i + 1) for i in range(len(self.tables.ends))),
-            "component": ("x", "y", "z"),
-            "parameter": PARAMETERS,
-            "turn": TURNS,
-            "direction": DIRECTIONS,
-            "load_direction": tuple(
-                f"force {name}" if i < 3 else f"moment {name[-1]}" for i, name in enumerate(DIRECTIONS)
-            ),
-        }
+        return (
+            {key: tuple(map(str, labels)) for key, labels in numbers.items()}
+            | self.tracked
+            | {
+                "node": tuple(map(str, self.nodes)),
+                "element": tuple(str(i + 1) for i in range(len(self.tables.ends))),
+                "component": ("x", "y", "z"),
+                "parameter": PARAMETERS,
+                "turn": TURNS,
+                "direction": DIRECTIONS,
+                "load_direction": tuple(
+                    f"force {name}" if i < 3 else f"moment {name[-1]}" for i, name in enumerate(DIRECTIONS)
+                ),
+            }
+        )
 
     def variables(self, states: Sequence[State]) -> dict[str, Variable]:
         """Compute all results of the states."""
@@ -136,31 +147,48 @@ class Measuring:
 
     def _vibrations(self, states: Sequence[State]) -> dict[str, Variable]:
         count = self.tables.options.frequencies
-        found = [self.system.vibrations(state, count=count) if count else [] for state in states]
-        rows = [[mode.hertz for mode in modes] for modes in found]
-        shapes = [
-            [self._moved(s, mode.shape) for mode in modes] for s, modes in zip(states, found, strict=True)
-        ]
+        most = count + TRACKED_BEYOND
+        found = [self.system.vibrations(state, count=most) if count else [] for state in states]
+        rows = _filled([[mode.hertz for mode in modes] for modes in found])
+        shapes = _filled_shapes(
+            [[self._moved(s, mode.shape) for mode in modes] for s, modes in zip(states, found, strict=True)],
+            len(self.nodes),
+        )
+        if count and not rows.size:
+            self.notes.append(
+                "no frequencies: nothing has mass; give a mass or an inertia, or a material or density"
+            )
         return {
-            "frequency": Variable(("time", "mode"), _filled(rows), "Hz", "negative where unstable"),
-            "mode_shape": Variable(
-                ("time", "mode", "node", "direction"), _filled_shapes(shapes, len(self.nodes))
-            ),
+            "frequency": Variable(("time", "mode"), rows[:, :count], "Hz", "negative where unstable"),
+            "mode_shape": Variable(("time", "mode", "node", "direction"), shapes[:, :count]),
+            "tracked_frequency": self._tracked("tracked_mode", states, rows, shapes, count, "Hz"),
         }
+
+    def _tracked(
+        self, dimension: str, states: Sequence[State], rows: Array, shapes: Array, count: int, unit: str
+    ) -> Variable:
+        """Return the values of the modes, each followed over the steps by its shape."""
+        load = [state.t for state in states]
+        names, values = tracked(load, self.tables.places, rows, shapes, count)
+        self.tracked[dimension] = names
+        return Variable(("time", dimension), values, unit, "of each mode, followed by its shape")
 
     def _buckling(self, states: Sequence[State]) -> dict[str, Variable]:
         """Compute multipliers of the acting forces and moments: 1 + the multiplier of an equal further increment."""
+        count = self.tables.options.buckling
         rows: list[list[float]] = []
         shapes: list[list[Array]] = []
         failed: list[str] = []
+        loaded = False
         for state in states:
             acting: dict[str, float] = {}
             for load in self.model.loads:
                 acting[load.name] = acting.get(load.name, 0.0) + load.function.rates(state.t)[0]
             modes: list[BucklingMode] = []
-            if any(acting.values()) and self.tables.options.buckling:
+            if any(acting.values()) and count:
+                loaded = True
                 try:
-                    modes += self.system.buckling(state, increment=acting, count=self.tables.options.buckling)
+                    modes += self.system.buckling(state, increment=acting, count=count + TRACKED_BEYOND)
                 except DynamicsError as error:
                     failed.append(f"load {state.t:g}: {error}")
             modes = [mode for mode in modes if abs(mode.multiplier) < MAX_LOAD_MULTIPLIER]
@@ -174,10 +202,16 @@ class Measuring:
                 IncompleteWarning,
                 stacklevel=outside(),
             )
+        values, moved = _filled(rows), _filled_shapes(shapes, len(self.nodes))
+        if count and not values.size and not failed:
+            why = "no flexible part carries the loads" if loaded else "no force or moment acts"
+            self.notes.append(f"no buckling multipliers: {why}")
         dims = ("time", "buckling_mode", "node", "direction")
+        of = "multiplier of the acting forces and moments"
         return {
-            "buckling": Variable(dims[:2], _filled(rows), "", "multiplier of the acting forces and moments"),
-            "buckling_shape": Variable(dims, _filled_shapes(shapes, len(self.nodes))),
+            "buckling": Variable(dims[:2], values[:, :count], "", of),
+            "buckling_shape": Variable(dims, moved[:, :count]),
+            "tracked_buckling": self._tracked("tracked_buckling_mode", states, values, moved, count, ""),
         }
 
     def _moved(self, state: State, shape: dict[str, float]) -> Array:

@@ -1,11 +1,8 @@
-"""Declares loads and prescribed motions of nodes, over time as the load parameter.
-
-From -1 to 0 the initial ones grow from zero, from 0 to 1 the others: so every step is reached from the drawn shape,
-however far it is.
-"""
+"""Declares loads and prescribed motions of nodes, over time as the load parameter; see `Schedule`."""
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
@@ -26,18 +23,48 @@ PARALLEL_TOLERANCE = 1e-9  # tolerance for the axes of initial and further rotat
 
 
 @dataclass(frozen=True)
+class Schedule:
+    """The shares of the initial loads and of the others over time, so that every step is reached from the drawn shape.
+
+    Attributes
+    ----------
+    times : tuple of float
+        From the unloaded mechanism to all loads; between them the shares grow evenly.
+    initial, growing : tuple of float
+        Shares at these times.
+    """
+
+    times: tuple[float, ...]
+    initial: tuple[float, ...]
+    growing: tuple[float, ...]
+
+    def shares(self, t: float) -> tuple[tuple[float, float], tuple[float, float]]:
+        """Return the shares of the initial and of the growing loads at time t, and their rates."""
+        i = min(max(bisect_right(self.times, t) - 1, 0), len(self.times) - 2)
+        t0, t1 = self.times[i : i + 2]
+        pairs = [(part[i], (part[i + 1] - part[i]) / (t1 - t0)) for part in (self.initial, self.growing)]
+        (a, a_rate), (b, b_rate) = pairs
+        return (a + a_rate * (t - t0), b + b_rate * (t - t0)), (a_rate, b_rate)
+
+
+ONE_WAY = Schedule((-1.0, 0.0, 1.0), (0.0, 1.0, 1.0), (0.0, 0.0, 1.0))
+BOTH_WAYS = Schedule((-3.0, -2.0, -1.0, 1.0), (0.0, 1.0, 1.0, 1.0), (0.0, 0.0, -1.0, 1.0))
+
+
+@dataclass(frozen=True)
 class Staged:
-    """Grows by `initial` while time goes from -1 to 0, then by `growth` until 1; starts from `offset`."""
+    """Grows by `initial` and `growth` as a schedule says; starts from `offset`."""
 
     initial: float
     growth: float
+    schedule: Schedule
     offset: float = 0.0
 
     def rates(self, t: float) -> tuple[float, float, float]:
         """Return value, first and second rate at time t."""
-        if t < 0:
-            return self.offset + self.initial * (1 + t), self.initial, 0.0
-        return self.offset + self.initial + self.growth * t, self.growth, 0.0
+        (a, b), (a_rate, b_rate) = self.schedule.shares(t)
+        value = self.offset + self.initial * a + self.growth * b
+        return value, self.initial * a_rate + self.growth * b_rate, 0.0
 
 
 @dataclass(frozen=True)
@@ -54,7 +81,7 @@ class HalfAngleSine:
         return float(s), float(c * rate / 2), float(-s * rate**2 / 4)
 
 
-def load_node(m: Model, node: int, given: NodeProperties) -> None:
+def load_node(m: Model, node: int, given: NodeProperties, schedule: Schedule) -> None:
     """Apply force, moment, prescribed displacement and rotation of a node."""
     owner, point, frame = node_owner(node), node_name(node), frame_name(node)
     held = [bool(component) for component in m.nodes[point].fixed]
@@ -65,19 +92,21 @@ def load_node(m: Model, node: int, given: NodeProperties) -> None:
     _contradictions(turned, rotated, owner, "rotation")
     for i, (start, growth) in moved.items():
         place = float(m.nodes[point].x0[i])
-        m.prescribe(f"{point}.{AXES[i]}", Staged(start, growth, place))
-    for i, motion in _rotation(rotated, owner).items():
+        m.prescribe(f"{point}.{AXES[i]}", Staged(start, growth, schedule, place))
+    for i, motion in _rotation(rotated, owner, schedule).items():
         m.prescribe(f"{frame}.lambda{i + 1}", motion)
     for what, target, fixed in (("force", point, held), ("moment", frame, turned)):
         parts = [_vector(getattr(given, key), owner, key) for key in (f"{what}_initial", what)]
-        _act(m, target, fixed, parts, f"{owner}: {what}")
+        _act(m, target, fixed, parts, schedule, f"{owner}: {what}")
 
 
 def _vector(given: Any, owner: str, what: str) -> Array:
     return np.zeros(3) if given is None else vector(given, owner, what, 3)
 
 
-def _act(m: Model, target: str, fixed: list[bool], parts: list[Array], owner: str) -> None:
+def _act(
+    m: Model, target: str, fixed: list[bool], parts: list[Array], schedule: Schedule, owner: str
+) -> None:
     """Apply a force or moment; refuse a load that a support would take, as it is probably a mistake."""
     values = [(float(a), float(b)) for a, b in zip(*parts, strict=True)]
     for axis, hold, value in zip(AXES, fixed, values, strict=True):
@@ -86,7 +115,7 @@ def _act(m: Model, target: str, fixed: list[bool], parts: list[Array], owner: st
                 f"{owner} in {axis} acts on a fixed direction; drop it, or leave the direction free"
             )
     if any(component for value in values for component in value):
-        m.load(target, [Staged(*value) if any(value) else 0.0 for value in values])
+        m.load(target, [Staged(*value, schedule) if any(value) else 0.0 for value in values])
 
 
 def _pair(initial: Any, further: Any, owner: str, what: str) -> dict[int, tuple[float, float]]:
@@ -121,7 +150,9 @@ def _contradictions(
             raise ModelError(f"{owner}: {what} in {AXES[i]} is fixed and prescribed; drop one of them")
 
 
-def _rotation(parts: dict[int, tuple[float, float]], owner: str) -> dict[int, TimeFunction]:
+def _rotation(
+    parts: dict[int, tuple[float, float]], owner: str, schedule: Schedule
+) -> dict[int, TimeFunction]:
     """Return Euler parameters lambda1 … lambda3 of the prescribed components of a rotation about one axis."""
     if not parts:
         return {}
@@ -137,8 +168,11 @@ def _rotation(parts: dict[int, tuple[float, float]], owner: str) -> dict[int, Ti
             f"{owner}: rotation and rotation_initial have different axes; give both about one axis"
         )
     a, b = float(start @ axis), float(growth @ axis)
-    if max(abs(a), abs(a + b)) >= np.pi:
+    farthest = max((a + share * b for share in schedule.growing), key=abs)
+    if abs(farthest) >= np.pi:
         raise ModelError(
-            f"{owner}: rotation of {a + b:.4g} rad; give less than half a turn (angles are in radians)"
+            f"{owner}: rotation of {farthest:.4g} rad; give less than half a turn (angles are in radians)"
         )
-    return {i: HalfAngleSine(float(part), Staged(a, b)) for i, part in zip(parts, axis, strict=True)}
+    return {
+        i: HalfAngleSine(float(part), Staged(a, b, schedule)) for i, part in zip(parts, axis, strict=True)
+    }

@@ -118,6 +118,9 @@ class FlexureOptions:
     ----------
     steps : int
         Number of load steps; step 0 has the initial loads alone.
+    both_ways : bool
+        Whether the loads also act reversed: twice as many steps, from -1 to 1 of the loads, with the initial loads
+        alone in the middle.
     gravity : sequence of float (3,)
         [m/s²]
     release : bool or sequence of str
@@ -130,6 +133,7 @@ class FlexureOptions:
     """
 
     steps: int = 10
+    both_ways: bool = False
     gravity: Vector = (0.0, 0.0, 0.0)
     release: bool | Sequence[str] = True
     compliance: bool | Sequence[int] = True

@@ -1,4 +1,4 @@
-"""Plots results of a flexure mechanism over its load steps."""
+"""Plots results of a flexure mechanism over its load steps, and the stiffness of a node over its travel."""
 
 from __future__ import annotations
 
@@ -9,15 +9,15 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 
 from flexel.apps.view.figures import COLOURS, figure, save
-from flexel.base.arguments import whole
+from flexel.base.arguments import unknown, whole
 from flexel.base.arrays import Array
-from flexel.linear.tracking import Branches
+from flexel.base.errors import ModelError
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 CURVES_SHOWN = 3  # frequencies and multipliers drawn
-AXES = ("x", "y", "z", "turn about x", "turn about y", "turn about z")
+TURNED, MOVED = ("turn x", "turn y", "turn z"), ("x", "y", "z")  # directions of a compliance
 
 
 class LoadSteps(Protocol):
@@ -36,8 +36,15 @@ class LoadSteps(Protocol):
         """Largest stresses [Pa] of the elements."""
 
     @property
-    def variables(self) -> Mapping[str, Any]:
-        """All results, by name."""
+    def tracked_frequencies(self) -> Mapping[str, Array]:
+        """Frequencies [Hz] of each mode at the steps, by name."""
+
+    @property
+    def tracked_buckling(self) -> Mapping[str, Array]:
+        """Buckling multipliers of each mode at the steps, by name."""
+
+    def stiffness(self, node: int, body_axes: bool = False) -> Array:
+        """Stiffness of a node at the steps."""
 
 
 def plot_flexure(result: LoadSteps, nodes: Sequence[int], path: str | Path | None = None) -> Figure:
@@ -59,7 +66,7 @@ def plot_flexure(result: LoadSteps, nodes: Sequence[int], path: str | Path | Non
             "displacement [mm]",
             {f"node {i}, {axis}": 1e3 * moved[:, i - 1, k] for i in chosen for k, axis in enumerate("xyz")},
         ),
-        ("frequency [Hz]", _tracked(result, "frequency", "mode_shape")),
+        ("frequency [Hz]", _lowest(result.tracked_frequencies)),
         (
             "largest stress [MPa]",
             {
@@ -68,7 +75,7 @@ def plot_flexure(result: LoadSteps, nodes: Sequence[int], path: str | Path | Non
                 if not np.isnan(stress).all()
             },
         ),
-        ("buckling multiplier [-]", _tracked(result, "buckling", "buckling_shape")),
+        ("buckling multiplier [-]", _lowest(result.tracked_buckling)),
     ]
     panels = [(label, curves) for label, curves in panels if curves]
     rows = (len(panels) + 1) // 2
@@ -85,23 +92,54 @@ def plot_flexure(result: LoadSteps, nodes: Sequence[int], path: str | Path | Non
     return drawn
 
 
-def _tracked(result: LoadSteps, values: str, shapes: str) -> dict[str, Array]:
-    """Track the modes that are among the first at any step by shape, and name them after the largest motion in them."""
-    given: Array = np.asarray(result.variables[values].values)
-    counts = np.isfinite(given).sum(axis=1)
-    if not counts.any():
+def plot_stiffness(
+    result: LoadSteps, node: int, along: str = "", body_axes: bool = False, path: str | Path | None = None
+) -> Figure:
+    """Plot the stiffness of a node in every direction over its travel.
+
+    Parameters
+    ----------
+    node : int
+        Row of the table of nodes, from 1.
+    along : str
+        Direction of the travel: x, y or z; by default the one in which the node moves farthest.
+    body_axes : bool
+        Whether the directions turn with the node.
+    path : path, optional
+        File for the figure; the suffix determines the format.
+    """
+    stiffness = result.stiffness(node, body_axes)
+    travel = result.displacements[:, node - 1]
+    if along and along not in MOVED:
+        raise ModelError(f"plot_stiffness: {unknown(along, MOVED, 'direction')}")
+    i = MOVED.index(along) if along else int(np.argmax(np.ptp(travel, axis=0)))
+    panels = (("stiffness [N/m]", MOVED, stiffness[:, :3]), ("stiffness [N m/rad]", TURNED, stiffness[:, 3:]))
+    shown = [
+        (
+            label,
+            {name: values for name, values in zip(names, part.T, strict=True) if np.isfinite(values).any()},
+        )
+        for label, names, part in panels
+    ]
+    with figure(2, 1, size=(7.0, 6.6), squeeze=False, sharex=True) as (drawn, axes):
+        for panel, (label, curves) in zip(axes.flat, shown, strict=True):
+            _curves(panel, 1e3 * travel[:, i], {name: np.abs(values) for name, values in curves.items()})
+            panel.set_yscale("log")
+            panel.set_ylabel(label)
+        axes[-1, 0].set_xlabel(f"displacement of node {node} in {MOVED[i]} [mm]")
+        drawn.suptitle(f"Stiffness of node {node} over its travel")
+    save(drawn, path)
+    return drawn
+
+
+def _lowest(curves: Mapping[str, Array]) -> dict[str, Array]:
+    """Return the curves that are among the first few at any step."""
+    if not curves:
         return {}
-    n = int(counts[counts > 0].min())  # number known at all steps with any modes
-    moved: Array = np.array(result.variables[shapes].values, dtype=float)[:, :n]  # (steps, modes, nodes, 6)
-    drawn = np.asarray(result.variables["drawn"].values)
-    moved[..., 3:] *= float(np.ptp(drawn, axis=0).max()) or 1.0  # rotations as displacements
-    labels = [f"node {i + 1}, {axis}" for i in range(len(drawn)) for axis in AXES]
-    rows: Array = moved.reshape(len(moved), n, -1)
-    branches = Branches.of_shapes(result.load, given[:, :n], rows, labels)
-    found = branches.eigenvalues.real
-    place = np.argsort(np.argsort(np.abs(found), axis=1, kind="stable"), axis=1)  # NaN last
-    among = np.flatnonzero(((place < CURVES_SHOWN) & np.isfinite(found)).any(axis=0))
-    return {branches.names[j]: found[:, j] for j in among}
+    found = np.array(list(curves.values()))
+    place = np.argsort(np.argsort(np.abs(found), axis=0, kind="stable"), axis=0)  # NaN last
+    among = ((place < CURVES_SHOWN) & np.isfinite(found)).any(axis=1)
+    return {name: values for (name, values), shown in zip(curves.items(), among, strict=True) if shown}
 
 
 def _curves(panel: Any, load: Array, curves: dict[str, Array]) -> None:

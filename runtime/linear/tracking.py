@@ -21,6 +21,7 @@ from scipy.optimize import brentq, linear_sum_assignment
 from flexel.base.arrays import Array, ComplexArray, Index
 
 # Relative difference below which eigenvalues count as equal, and their vectors as arbitrary.
+SHARE_DIGITS = 6  # of shares that are compared: beyond is rounding
 EQUAL_TOLERANCE = 1e-6
 ZERO_TOLERANCE = 1e-7  # of the largest eigenvalue: smaller real parts may come from rounding
 MIN_SIMILARITY = 0.1  # similarity of two shapes below which one does not continue the other
@@ -135,7 +136,10 @@ class Branches:
 
     @cached_property
     def names(self) -> list[str]:
-        """Name each family by the state with the largest share in it, numbered if several have the same."""
+        """Name each family by the state with the largest share in it, numbered if several have the same.
+
+        Of states with equal shares, up to rounding, the first one is taken.
+        """
         if self.shares is None or not self.labels:
             return [f"branch {i + 1}" for i in range(len(self.families))]
         unique = list(dict.fromkeys(self.labels))
@@ -143,7 +147,7 @@ class Branches:
         largest = []
         for family in self.families:
             mean = np.nanmean(self.shares[:, family], axis=(0, 1))
-            largest.append(unique[int(np.argmax(np.bincount(to, mean, len(unique))))])
+            largest.append(unique[int(np.argmax(np.bincount(to, mean, len(unique)).round(SHARE_DIGITS)))])
         return [
             name if largest.count(name) == 1 else f"{name} ({largest[: i + 1].count(name)})"
             for i, name in enumerate(largest)
