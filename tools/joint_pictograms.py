@@ -122,7 +122,7 @@ def directions(scene: Scene) -> dict[str, tuple[float, float, float]]:
     return {
         "axis: axial, angle": (0, 0, 1.06),
         "1: radial1, bend1": (1.0, 0, -0.2),
-        "2: radial2, bend2": (0, 1.1, 0.08),
+        "2: radial2, bend2": (0.35, 1.25, 0),
     }
 
 
