@@ -87,7 +87,7 @@ def test_the_programs_of_the_pages_on_flexures_run() -> None:
     pytest.importorskip("matplotlib", reason="the page draws with matplotlib: pip install 'flexel[plot]'")
     found = ran("flexure-design.md")
     page = (DOCS / "flexure-design.md").read_text(encoding="utf-8")
-    assert set(found.drawn) == set(re.findall(r"\]\(images/(\w+\.png)\)", page)) and len(found.drawn) == 5
+    assert set(found.drawn) == set(re.findall(r"\]\(images/(\w+\.png)\)", page)) and len(found.drawn) == 6
     guide, hinge, stage = (found.names[name] for name in ("guide", "hinge", "stage"))
     stiffness = 2 * 206e9 * 25e-3 * 0.4e-3**3 / 0.1**3
     assert 8 / guide.displacements[-1, 4, 0] == pytest.approx(stiffness * (1 - 5 / 54.2), rel=0.02)

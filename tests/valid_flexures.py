@@ -84,6 +84,10 @@ FLEXURES: dict[str, Callable[[], Valid]] = {
     ),
     "Flexure.compliance": lambda: calling(found().compliance, node=2, body_axes=True),
     "Flexure.plot": lambda: calling(found().plot, nodes=(2,), path=Path("flexure.png")),
+    "Flexure.stiffness": lambda: calling(found().stiffness, node=2, body_axes=True),
+    "Flexure.plot_stiffness": lambda: calling(
+        found().plot_stiffness, node=2, along="x", body_axes=True, path=Path("stiffness.png")
+    ),
     "Flexure.plot_shapes": lambda: calling(found().plot_shapes, steps=(0, 1), path=Path("flexure.png")),
     "Flexure.save": lambda: calling(found().save, path=Path("flexure.npz")),
     "Flexure.view": lambda: calling(found().view, path=Path("flexure.html")),

@@ -1,4 +1,4 @@
-"""Pictograms of the joints: two bodies, what joins them (a pin, a sleeve, a thread, a socket), and arrows for what is free."""
+"""Pictograms of the joints: two bodies, what joins them (a pin, a sleeve, a thread), and arrows for what is free."""
 
 from __future__ import annotations
 
@@ -7,7 +7,8 @@ from collections.abc import Callable
 import numpy as np
 from solids import Scene
 
-A, B, PIN, FREE = "#8fa3b5", "#1f6fb5", "#7a8087", "#d55e00"  # the first and the second body, what joins them, what is free
+A, B = "#8fa3b5", "#1f6fb5"  # the first body and the second
+PIN, FREE = "#7a8087", "#d55e00"  # what joins them, and what is free
 BAR = 0.26  # width of a bar [m]
 UP = (0.0, 0.0, 1.0)
 

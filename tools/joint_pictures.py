@@ -1,6 +1,7 @@
 """Draw the pictures of the page on joints: ``python tools/joint_pictures.py`` writes ``docs/images/joint_*.png``.
 
-Joints have pictograms; gears, belts and cams are shown by the models of `flexel.examples.joints`, as drawn, pale, and moved.
+Joints have pictograms; gears, belts and cams are shown by the models of `flexel.examples.joints`, as drawn (pale) and
+moved.
 """
 
 from pathlib import Path

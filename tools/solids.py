@@ -1,4 +1,4 @@
-"""Shaded solids for small pictures: boxes, cylinders, spheres, threads and arrows, as polygons that are sorted by depth."""
+"""Shaded solids for small pictures: boxes, cylinders, spheres, threads and arrows, as polygons sorted by depth."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from matplotlib.colors import to_rgb
 
 from flexel.base.arrays import Array
 
-Vector = Sequence[float]
+Vector = Sequence[float] | Array
 ROUND = 36  # sides of what is round
 AMBIENT = 0.62  # brightness of what the light does not reach
 LIGHT = np.array([-0.35, -0.6, 0.72])  # direction towards the light, in the axes of the picture's world
@@ -48,7 +48,9 @@ class Scene:
         middle, half = np.array(centre, dtype=float), np.array(size, dtype=float) / 2
         for axis in range(3):
             one, two = (axis + 1) % 3, (axis + 2) % 3
-            across = [np.linspace(-half[i], half[i], 1 + max(round(2 * half[i] / CELL), 1)) for i in (one, two)]
+            across = [
+                np.linspace(-half[i], half[i], 1 + max(round(2 * half[i] / CELL), 1)) for i in (one, two)
+            ]
             for side in (1, -1):
                 cells = []
                 for (a, b), (c, d) in product(pairwise(across[0]), pairwise(across[1])):
@@ -78,7 +80,9 @@ class Scene:
         self._skin(rings, colour)
         self.faces([rings[0][::-1], rings[-1]], colour)
 
-    def sphere(self, centre: Vector, radius: float, colour: str, low: float = -90.0, high: float = 90.0) -> None:
+    def sphere(
+        self, centre: Vector, radius: float, colour: str, low: float = -90.0, high: float = 90.0
+    ) -> None:
         """Add a sphere, or its part between two latitudes [degrees] about z, with its inside."""
         up = np.radians(np.linspace(low, high, ROUND // 2 + 1))
         rings = [
@@ -103,7 +107,9 @@ class Scene:
         for a, b in zip(line[:-1], line[1:], strict=True):
             self.cylinder(a, b, LINE, colour)
 
-    def turn(self, centre: Vector, axis: Vector, radius: float, angles: tuple[float, float], colour: str) -> None:
+    def turn(
+        self, centre: Vector, axis: Vector, radius: float, angles: tuple[float, float], colour: str
+    ) -> None:
         """Add a round arrow about an axis, between two angles [degrees]; both ends have heads."""
         one, two = _across(axis)
         angle = np.radians(np.linspace(*angles, ROUND))
@@ -121,11 +127,13 @@ class Scene:
             if size == 0 or normal @ out <= 0:
                 continue
             bright = AMBIENT + (1 - AMBIENT) * max(float(normal @ light) / size, 0.0)
-            shown.append((float(np.mean(polygon @ out)), polygon @ screen, tuple(bright * part for part in colour)))
+            shown.append(
+                (float(np.mean(polygon @ out)), polygon @ screen, tuple(bright * part for part in colour))
+            )
         shown.sort(key=lambda face: face[0])
-        colours = [colour for _, _, colour in shown]
-        axes.add_collection(PolyCollection([face for _, face, _ in shown], facecolors=colours, edgecolors=colours, lw=0.8))
-        corners = np.concatenate([face for _, face, _ in shown])
+        _, faces, colours = zip(*shown, strict=True)
+        axes.add_collection(PolyCollection(faces, facecolors=colours, edgecolors=colours, lw=0.8))
+        corners = np.concatenate(faces)
         (x0, y0), (x1, y1) = corners.min(axis=0), corners.max(axis=0)
         axes.set_xlim(x0, x1)
         axes.set_ylim(y0, y1)
@@ -162,11 +170,11 @@ def _across(axis: Vector) -> tuple[Array, Array]:
 
 def _ring(p: Vector, q: Vector, part: float, radius: float, wave: Array | float = 1.0) -> Array:
     """Return points (count, 3) around the line from p to q, at a part of it."""
-    p, q = np.array(p, dtype=float), np.array(q, dtype=float)
-    one, two = _across(q - p)
+    begin, along = np.array(p, dtype=float), np.subtract(q, p)
+    one, two = _across(along)
     angle = np.linspace(0, 2 * np.pi, ROUND, endpoint=False)
     circle = np.outer(np.cos(angle) * wave, one) + np.outer(np.sin(angle) * wave, two)
-    return np.asarray(p + part * (q - p) + radius * circle)
+    return np.asarray(begin + part * along + radius * circle)
 
 
 def _head(points: Array) -> tuple[Array, Array]:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 
 from flexel.apps.view.figures import COLOURS, figure, save
-from flexel.base.arguments import unknown, whole
+from flexel.base.arguments import text, unknown, whole
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 
@@ -110,7 +110,7 @@ def plot_stiffness(
     """
     stiffness = result.stiffness(node, body_axes)
     travel = result.displacements[:, node - 1]
-    if along and along not in MOVED:
+    if text(along, "plot_stiffness", "along") and along not in MOVED:
         raise ModelError(f"plot_stiffness: {unknown(along, MOVED, 'direction')}")
     i = MOVED.index(along) if along else int(np.argmax(np.ptp(travel, axis=0)))
     panels = (("stiffness [N/m]", MOVED, stiffness[:, :3]), ("stiffness [N m/rad]", TURNED, stiffness[:, 3:]))
