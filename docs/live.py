@@ -1,17 +1,23 @@
-"""Writes the pages of the viewer that the documentation shows in place: that of its first program, and the bicycle."""
+"""Writes the pages of the viewer that the documentation shows in place: motions of programs on its pages, and of systems."""
 
 import os
 import re
 import tempfile
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
+from flexel import View
+from flexel.examples import contact, slider_crank, vehicle_runs
 from flexel.examples.bicycle import bicycle, kick
+from flexel.examples.vehicle_figures import bodywork
 
-PROGRAM = re.compile(r"```python\n(.*?)```", re.DOTALL)  # the first one of a page
+PROGRAM = re.compile(r"```python\n(.*?)```", re.DOTALL)
+FRAMES = 151
 
 
 def write(folder: Path, out: Path) -> None:
-    """Write ``pendulum.html`` and ``bicycle.html`` into a folder.
+    """Write the pages into a folder, each by the name that an ``iframe`` of the documentation gives it.
 
     Parameters
     ----------
@@ -21,21 +27,55 @@ def write(folder: Path, out: Path) -> None:
         Where the pages are written.
     """
     out.mkdir(parents=True, exist_ok=True)
-    _run((folder / "index.md").read_text(encoding="utf-8"), out)
+    _of_page(folder / "index.md", out / "pendulum.html", lambda names: Path("pendulum.html"), 1)
+    _of_page(
+        folder / "cranes.md",
+        out / "winch.html",
+        lambda names: names["motion"].view("winch.html", title="A winch", frames=FRAMES, progress=False),
+    )
+    _of_page(
+        folder / "flexure-design.md",
+        out / "guide.html",
+        lambda names: names["travel"].view(
+            "guide.html", title="A parallel guide over its travel", progress=False
+        ),
+        3,
+    )
+    for name, (motion, options) in _systems().items():
+        motion.view(out / f"{name}.html", frames=FRAMES, progress=False, **options)
+
+
+def _systems() -> dict[str, tuple[Any, dict[str, Any]]]:
+    """The motions of systems, and how they are shown."""
     system = bicycle()
-    motion = system.simulate(5, start=kick(system, 4.5, 0.05)[0], progress=False)
-    motion.view(out / "bicycle.html", title="The bicycle at 4.5 m/s after a kick", frames=151, progress=False)
+    return {
+        "bicycle": (
+            system.simulate(5, start=kick(system, 4.5, 0.05)[0], progress=False),
+            {"title": "The bicycle at 4.5 m/s after a kick"},
+        ),
+        "slider-crank": (
+            slider_crank.transient(0.01),
+            {"title": "The slider-crank at 150 rad/s, damping 1 %"},
+        ),
+        "vehicle": (
+            vehicle_runs.sine_steer(20.0),
+            {"title": "The vehicle at 20 m/s, sine steering", "view": View(sketches=bodywork())},
+        ),
+        "drum": (contact.on_drum(5.0), {"title": "A ball on a turning drum"}),
+    }
 
 
-def _run(page: str, out: Path) -> None:
-    """Run the first program of a page, which writes ``pendulum.html`` where it is."""
-    program = PROGRAM.search(page)
-    assert program is not None
+def _of_page(
+    page: Path, out: Path, written: Callable[[dict[str, Any]], Path], most: int | None = None
+) -> None:
+    """Run the programs of a page, at most so many, and keep the file that is then written."""
+    names: dict[str, Any] = {"print": lambda *_: None}
     before = Path.cwd()
     with tempfile.TemporaryDirectory() as place:
         os.chdir(place)
         try:
-            exec(program[1], {"print": lambda *_: None})
+            for program in PROGRAM.findall(page.read_text(encoding="utf-8"))[:most]:
+                exec(program, names)
+            out.write_bytes((Path(place) / written(names)).read_bytes())
         finally:
             os.chdir(before)
-        (out / "pendulum.html").write_bytes((Path(place) / "pendulum.html").read_bytes())

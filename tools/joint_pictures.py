@@ -1,4 +1,4 @@
-"""Draw the pictures of the page on joints: ``python tools/joint_pictures.py`` writes ``docs/images/joint_*.png``.
+"""Draw the pictures of the page on joints: ``python tools/joint_pictures.py`` writes them to ``docs/images``.
 
 Joints have pictograms; gears, belts and cams are shown by the models of `flexel.examples.joints`, as drawn (pale) and
 moved.
@@ -61,7 +61,7 @@ def names_of_directions() -> None:
     """Draw the directions by which the deformations of a joint are named."""
     scene = Scene()
     names = directions(scene)
-    _written(scene, names, OUT / "joint_directions.png")
+    _written(scene, names, OUT / "directions_across_joints.png")
 
 
 def _written(scene: Scene, names: dict[str, tuple[float, float, float]], path: Path) -> None:
