@@ -1,4 +1,4 @@
-"""Writes the pages of the viewer that the documentation shows in place: motions of programs on its pages, and of systems."""
+"""Writes the pages of the viewer that the documentation plays: motions of programs on its pages, and of systems."""
 
 import os
 import re
