@@ -27,7 +27,7 @@ size_t flexel_lu_slots(const flexel_lu *lu);
 /* Multiplications with subtraction in one factorization: for a choice between methods. */
 size_t flexel_lu_operations(const flexel_lu *lu);
 
-/* Factors, into a (slots), of the matrix whose entry i is buffer[source[i]]. Zero, or one more than the number of the
+/* Factors, into a (slots), of the matrix whose entry i is buffer[source[i]]. Zero, or one more than the number of
  * a pivot that is zero, not finite, below 1e-14 of its row, or so small beside what is left of its row when it is
  * eliminated, 1e-4 to 1e-3, that rounding errors of solutions may exceed `noise`: the factors are then incomplete, and the
  * pivots must be ordered again, from these values.
