@@ -12,6 +12,7 @@ from flexel.base.arguments import array, flag, mapping, new_name, unknown, vecto
 from flexel.base.arrays import Array, Vector
 from flexel.base.errors import ModelError
 from flexel.base.meaning import array_quantity, entry, quantity
+from flexel.model.instances import arm_name
 from flexel.model.lowering import Lowering
 from flexel.model.node import Node
 from flexel.model.part import Part, part
@@ -188,5 +189,5 @@ def _new_point(to: Lowering, body: RigidBody, name: str, place: Array) -> Node:
     """Add a point of a body: fixed where the body is, otherwise held by a massless link."""
     node = Point(name, place, fixed=body.still).lower(to)
     if not body.still:
-        BodyPoint(f"{name}_link", body.point, body.frame, node, body_axes=True).lower(to)
+        BodyPoint(arm_name(node.name), body.point, body.frame, node, body_axes=True).lower(to)
     return node

@@ -35,11 +35,10 @@ SINGULAR = "no independent coordinates can be chosen here: the position is singu
 
 
 def largest(structure: Structure, rows: Index, vector: Array, limit: int = 6) -> list[str]:
-    """Name the quantities with the largest entries of a null vector, norms excluded."""
+    """Name the quantities with the largest entries of a null vector: those that were declared, if there are any."""
     weight = np.abs(vector) / max(float(np.max(np.abs(vector))), 1e-300)
     order = [i for i in np.argsort(-weight, kind="stable") if weight[i] > 0.05]
-    names = [structure.names[rows[i]] for i in order]
-    return [name for name in names if not structure.is_norm(name)][:limit] or names[:limit]
+    return structure.declared(structure.names[rows[i]] for i in order)[:limit]
 
 
 def check_redundancy(structure: Structure, roles: Roles, J: Array, rows: Index, what: str) -> None:

@@ -99,7 +99,7 @@ def constraint_report(structure: Structure, roles: Roles, J: Any) -> ConstraintR
         redundant=_named(structure, rows, left),
         release=[names[k] for k in released],
         alternatives={
-            names[k]: [names[i] for i in others if i in usable]
+            names[k]: structure.declared(names[i] for i in others if i in usable)
             for k, others in zip(released, _exchanges(C, released), strict=True)
         },
     )
@@ -119,7 +119,7 @@ def _named(structure: Structure, rows: Index, space: Array) -> list[dict[str, fl
         share = vector / vector[int(np.argmax(weight))]
         order = [i for i in np.argsort(-weight, kind="stable") if weight[i] > MIN_SHARE_SHOWN]
         named = {structure.names[rows[i]]: float(share[i]) for i in order}
-        found.append({name: v for name, v in named.items() if not structure.is_norm(name)} or named)
+        found.append({name: named[name] for name in structure.declared(named)})
     return found
 
 

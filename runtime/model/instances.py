@@ -103,6 +103,11 @@ class Instance(_Row):
         return tuple(f"{self.name}.{s.name}" for s in self.spec.slips)
 
 
+def arm_name(node: str) -> str:
+    """Name the link by which a joint attaches a point of its own, a node, to a body."""
+    return f"{node}_link"
+
+
 @dataclass(frozen=True)
 class LawInstance(_Row):
     """A law attached to named deformations and slips, with the initial values of its internal states."""

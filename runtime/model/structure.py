@@ -18,7 +18,7 @@ from flexel.base.arrays import Array, Index
 from flexel.base.copies import Constant
 from flexel.base.errors import ModelError
 from flexel.model.controller import Controller
-from flexel.model.instances import Instance, LawInstance
+from flexel.model.instances import Instance, LawInstance, arm_name
 from flexel.model.node import Node, unknown_quantity
 from flexel.model.relation_matrix import Relations, find_relations
 
@@ -87,6 +87,19 @@ class Structure(Constant):
             return self.index[name]
         message = unknown_quantity(str(name), self.index, self._by_name)
         raise ModelError(f"{owner}: " * bool(owner) + message)
+
+    def declared(self, names: Iterable[str]) -> list[str]:
+        """Return the names without norms and what joints add (points, links that hold them); all, if none is left."""
+        names = list(names)
+        return [name for name in names if not self.is_norm(name) and name not in self._added] or names
+
+    @cached_property
+    def _added(self) -> frozenset[str]:
+        """Coordinates of points that joints add to bodies, and deformations of the links that hold them."""
+        ends = [(instance.nodes[-1], instance) for instance in self.instances if instance.nodes]
+        arms = {node: instance for node, instance in ends if instance.name == arm_name(node)}
+        places = (name for node in self.nodes if node.name in arms for name in node.coordinates)
+        return frozenset({*places, *(name for arm in arms.values() for name in arm.deformations)})
 
     def is_norm(self, name: str) -> bool:
         """Whether a quantity is the norm of a frame's Euler parameters."""

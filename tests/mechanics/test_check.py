@@ -1,5 +1,6 @@
 """`Model.check` and `flexel check`: everything at once, by name, and never an exception."""
 
+import re
 from pathlib import Path
 
 import numpy as np
@@ -221,3 +222,18 @@ def test_a_cable_too_coarse_for_a_circle_that_it_may_touch_is_a_finding() -> Non
         fx.ModelWarning, match=r"'rope\d' of 0\.5 m cannot follow 'drum', whose radius is 0\.1 m"
     ):
         m.build()
+
+
+def test_reports_name_joints_and_bodies_not_what_joints_add() -> None:
+    """Two hinges between two bodies: neither their points on the bodies nor the links that hold these are named."""
+    m = fx.Model()
+    for name, x in (("a", 0.0), ("b", 1.0)):
+        m.rigid_body(name, (x, 0, 0), mass=1.0, inertia=(1, 1, 1))
+    for name, at in (("j", (0.5, 0, 0)), ("k", (0.6, 0.2, 0))):
+        m.revolute(name, "a", "b", at=at, axis=(0, 0, 1))
+    m.revolute("g", "ground", "a", at=(-0.5, 0, 0), axis=(0, 0, 1))
+    with pytest.raises(fx.ConstraintError) as refused:
+        m.build()
+    for text in (str(refused.value), str(m.check()), str(m.constraint_report())):
+        assert "'k.bend1'" in text and "_link" not in text
+        assert not re.search(r"'[jkg]_[pq]\.", text)
