@@ -59,6 +59,7 @@ from flexel.parts.method import Method, declares
 from flexel.parts.model_file import write_model
 from flexel.parts.model_program import program
 from flexel.parts.nodes import Angle, Frame, Point, Warping
+from flexel.parts.other_words import no_call
 from flexel.parts.point_contacts import PointContact
 from flexel.parts.relations import Relation
 from flexel.parts.rigid_bodies import RigidBodyPart
@@ -112,6 +113,12 @@ class Model:
         self.lowering = Lowering(gravity)
         self._parts: list[Part[Any]] = []
         self._first_laws: list[int] = []  # of each part, how many laws there were before it
+
+    if not TYPE_CHECKING:  # type checkers know that there are no other names
+
+        def __getattr__(self, name: str) -> Any:
+            """Say what the model calls it."""
+            raise AttributeError(no_call(name, dir(type(self))))
 
     def add(self, part: Part[Made]) -> Made:
         """Add a part, of flexel's class or a user's; as a whole or, if it is refused, not at all.
