@@ -71,12 +71,13 @@ def method_pages() -> dict[str, str]:
     return pages
 
 
-def method_rows() -> list[tuple[str, str]]:
-    """Return a row for each page, of its link and its methods, for the table of topics."""
+def method_sections() -> list[tuple[str, str, list[tuple[str, str]]]]:
+    """Return title, page, and methods of each topic: the full name of each, and the name that is shown."""
     return [
         (
-            f"[Model: {title.lower()}]({slug(title)}.md)",
-            ", ".join(f"`m.{name}`" for methods in found.values() for name in methods),
+            f"Model: {title.lower()}",
+            slug(title),
+            [(f"flexel.Model.{name}", f"m.{name}") for methods in found.values() for name in methods],
         )
         for title, found in topics().items()
     ]

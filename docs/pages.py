@@ -12,7 +12,7 @@ from pathlib import Path
 
 import live
 from element_pages import Rows, element_page, elements_page, laws_page, table
-from methods import method_pages, method_rows, other_methods
+from methods import method_pages, method_sections, other_methods
 from reported import write_report
 
 import flexel
@@ -172,33 +172,51 @@ def directive(name: str, module: str = "flexel") -> str:
     return f".. autoclass:: {module}.{name}\n   :members: {', '.join(members)}\n"
 
 
+def section(title: str, slug: str, names: list[tuple[str, str]]) -> str:
+    """Return a section of the list of public names: a link for each, and its first sentence.
+
+    Parameters
+    ----------
+    title, slug : str
+        Of the page of a topic.
+    names : list of (str, str)
+        The full name of each, and the name that is shown.
+    """
+    rows = [(f"{{py:obj}}`{shown} <{full}>`", sentence(full)) for full, shown in names]
+    return f"## [{title}]({slug}.md)\n\n" + (table(("name", "purpose"), rows) if rows else "")
+
+
+def sentence(full: str) -> str:
+    """Return the first sentence of the documentation of a name ``module.name`` or ``module.class.name``."""
+    module, _, name = full.rpartition(".")
+    owner, _, kind = module.rpartition(".")
+    home = getattr(import_module(owner), kind) if kind[:1].isupper() else import_module(module)
+    first = (inspect.getdoc(getattr(home, name)) or "").partition("\n\n")[0]
+    return " ".join(first.split())
+
+
 def api_pages() -> dict[str, str]:
     """Return the pages of public names by file name: one for each topic, and ``api``, which lists topics and names."""
     titles = {module: title for title, homes in HOMES.items() for module in homes}
-    names: dict[str, list[str]] = {title: [] for title in HOMES}
+    names: dict[str, list[tuple[str, str]]] = {title: [] for title in HOMES}  # module and name
     for name, module in flexel._HOMES.items():
-        names[titles[module]].append(name)
-    entries = {title: [directive(name) for name in found] for title, found in names.items()}
-    for module, given in RETURNED.items():
-        entries["Pictures"] += [directive(name, module) for name in given]
-        names["Pictures"] += given
-    entries["Parts of your own"] = [directive(name, "flexel.parts") for name in AUTHORING]
-    names["Parts of your own"] = list(AUTHORING)
+        names[titles[module]].append(("flexel", name))
+    names["Pictures"] += [(module, name) for module, given in RETURNED.items() for name in given]
+    names["Parts of your own"] = [("flexel.parts", name) for name in AUTHORING]
+    entries = {title: [directive(name, module) for module, name in found] for title, found in names.items()}
     entries["Declaring elements and laws"] = [
         f".. automodule:: {module}\n   :members:\n" for module in DECLARATIONS
     ]
     slugs = {title: f"api/{title.lower().replace(' ', '-').replace(',', '')}" for title in entries}
-    rows = [
-        (f"[{title}]({slugs[title]}.md)", ", ".join(f"`{name}`" for name in names.get(title, [])) or "–")
+    sections = [
+        (title, slugs[title], [(f"{module}.{name}", name) for module, name in names.get(title, [])])
         for title in entries
     ]
-    rows[1:1] = method_rows()
+    sections[1:1] = method_sections()
     methods = method_pages()
     text = "# Public names\n\nAfter `import flexel as fx`, each of these is available as `fx.NAME`, except methods\n"
-    text += (
-        "(`m` is a `Model`) and those of the last three topics, whose pages name their modules.\n\n"
-        + table(("topic", "names"), rows)
-    )
+    text += "(`m` is a `Model`) and the names of the last three topics, whose pages name their modules.\n\n"
+    text += "\n".join(section(*given) for given in sections)
     text += "\n```{toctree}\n:hidden:\n\n" + "\n".join([*slugs.values(), *methods]) + "\n```\n"
     pages = {
         slugs[title]: f"# {title}\n\n```{{eval-rst}}\n" + "\n".join(found) + "```\n"
