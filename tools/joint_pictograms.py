@@ -107,6 +107,15 @@ def weld(scene: Scene) -> None:
     scene.box((0, 0, 0), (0.12, BAR + 0.1, BAR + 0.1), PIN)
 
 
+def skate(scene: Scene) -> None:
+    """A body on a blade, which moves along itself and turns."""
+    scene.box((0, 0, -0.3), (1.5, 1.1, 0.08), A)
+    scene.box((0, 0, -0.16), (0.9, 0.04, 0.2), PIN)
+    scene.box((0, 0, 0.02), (0.6, 0.34, 0.16), B)
+    scene.arrow(np.array([(x, -0.34, -0.22) for x in np.linspace(-0.4, 0.4, 19)]), FREE, both=True)
+    scene.turn((0, 0, 0.16), UP, 0.24, (-160, 70), FREE)
+
+
 def directions(scene: Scene) -> dict[str, tuple[float, float, float]]:
     """Draw the axis of a joint and the two directions across it; return where their names are written.
 
@@ -136,4 +145,5 @@ PICTOGRAMS: dict[str, Callable[[Scene], None]] = {
     "spherical": spherical,
     "universal": universal,
     "weld": weld,
+    "skate": skate,
 }
