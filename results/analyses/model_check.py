@@ -71,22 +71,29 @@ def _sorted(found: list[Finding], dynamic: tuple[str, ...], kinematic: tuple[str
 def _constraints(report: ConstraintReport) -> Iterator[Finding]:
     """Find redundant conditions with the smallest set to release, and motions that no elastic law resists."""
     for share in report.redundant:
-        yield Finding("error", "constraints", f"over-constrained: {quoted(list(share))} are not independent")
+        yield Finding(
+            "error", "constraints", f"over-constrained: {quoted(report.printed(share))} are not independent"
+        )
     if report.release:
         calls = ", ".join(f"m.release('{name}')" for name in report.release)
         yield Finding("error", "constraints", f"release {quoted(report.release)}: {calls}")
     for name, others in report.alternatives.items():
         if others:
-            yield Finding("note", "constraints", f"in place of '{name}' equally well: {quoted(others)}")
+            yield Finding(
+                "note", "constraints", f"in place of '{name}' equally well: {quoted(report.printed(others))}"
+            )
     for share in report.motions[:MAX_MOTIONS_SHOWN]:
-        yield Finding("note", "constraints", f"a mechanism: no law resists a motion of {_leading(share)}")
+        yield Finding(
+            "note",
+            "constraints",
+            f"a mechanism: no law resists a motion of {_leading(report.printed(share))}",
+        )
     if (more := len(report.motions) - MAX_MOTIONS_SHOWN) > 0:
         yield Finding("note", "constraints", f"a mechanism: no law resists {counted(more, 'more motion')}")
 
 
-def _leading(share: dict[str, float]) -> str:
+def _leading(names: list[str]) -> str:
     """Name the largest entries of a motion."""
-    names = list(share)
     return quoted(names[:4]) + (f" and {len(names) - 4} more" if len(names) > 4 else "")
 
 

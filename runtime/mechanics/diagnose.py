@@ -27,7 +27,7 @@ from flexel.engine.solvers import factorize
 from flexel.mechanics.kinematics import Kinematics
 from flexel.mechanics.preference import heaviness, preferences
 from flexel.model.role_lists import Roles
-from flexel.model.structure import Structure
+from flexel.model.structure import Structure, declared
 
 log = logging.getLogger("flexel.build")
 _block_array: Any = block_array
@@ -38,7 +38,9 @@ def largest(structure: Structure, rows: Index, vector: Array, limit: int = 6) ->
     """Name the quantities with the largest entries of a null vector: those that were declared, if there are any."""
     weight = np.abs(vector) / max(float(np.max(np.abs(vector))), 1e-300)
     order = [i for i in np.argsort(-weight, kind="stable") if weight[i] > 0.05]
-    return structure.declared(structure.names[rows[i]] for i in order)[:limit]
+    names = [structure.names[rows[i]] for i in order]
+    names = [name for name in names if not structure.is_norm(name)] or names
+    return declared(names, structure.added)[:limit]
 
 
 def check_redundancy(structure: Structure, roles: Roles, J: Array, rows: Index, what: str) -> None:

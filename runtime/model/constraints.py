@@ -7,6 +7,7 @@ as in SPACAR Light: repeatedly the one with the largest share in the remaining r
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -19,7 +20,7 @@ from flexel.base.null_space import RANK_TOLERANCE, null_space
 from flexel.base.shown import prints, quoted
 from flexel.derive.spec import LawSpec
 from flexel.model.role_lists import Roles
-from flexel.model.structure import Structure
+from flexel.model.structure import Structure, declared
 
 _issparse: Any = issparse
 SHARE_DIGITS = 9  # of shares that are compared: equal ones stay in the order of the model
@@ -45,6 +46,8 @@ class ConstraintReport:
     alternatives : dict of str to list of str
         For each of `release`, the conditions that may be released instead: together they form a smallest set
         of dependent conditions.  All other sets of releases follow from such exchanges, one at a time.
+    added : frozenset of str
+        Quantities of the points and links that joints add to bodies, which are printed where nothing else is concerned.
     """
 
     dofs: int
@@ -52,19 +55,27 @@ class ConstraintReport:
     redundant: list[dict[str, float]]
     release: list[str]
     alternatives: dict[str, list[str]] = field(default_factory=dict)
+    added: frozenset[str] = field(default=frozenset(), repr=False)
+
+    def printed(self, names: Iterable[str]) -> list[str]:
+        """Return the names to print: those that were declared, or all if none was."""
+        return declared(names, self.added)
 
     @prints
     def __repr__(self) -> str:
         lines = [f"{self.dofs} degree(s) of freedom left by the rigid conditions"]
-        lines += [f"over-constrained: {_shares(shares)}" for shares in self.redundant]
-        lines += [f"nothing resists: {_shares(shares)}" for shares in self.motions]
+        lines += [f"over-constrained: {self._shares(shares)}" for shares in self.redundant]
+        lines += [f"nothing resists: {self._shares(shares)}" for shares in self.motions]
         if self.release:
             lines.append(f"release {quoted(self.release)}")
         lines += [
-            f"in place of '{name}' equally well: {quoted(others) or 'none'}"
+            f"in place of '{name}' equally well: {quoted(self.printed(others)) or 'none'}"
             for name, others in self.alternatives.items()
         ]
         return "\n".join(lines)
+
+    def _shares(self, vector: dict[str, float]) -> str:
+        return ", ".join(f"'{name}' {vector[name]:.2f}" for name in self.printed(vector))
 
 
 def _resists(spec: LawSpec) -> bool:
@@ -99,9 +110,10 @@ def constraint_report(structure: Structure, roles: Roles, J: Any) -> ConstraintR
         redundant=_named(structure, rows, left),
         release=[names[k] for k in released],
         alternatives={
-            names[k]: structure.declared(names[i] for i in others if i in usable)
+            names[k]: [names[i] for i in others if i in usable]
             for k, others in zip(released, _exchanges(C, released), strict=True)
         },
+        added=structure.added,
     )
 
 
@@ -119,7 +131,7 @@ def _named(structure: Structure, rows: Index, space: Array) -> list[dict[str, fl
         share = vector / vector[int(np.argmax(weight))]
         order = [i for i in np.argsort(-weight, kind="stable") if weight[i] > MIN_SHARE_SHOWN]
         named = {structure.names[rows[i]]: float(share[i]) for i in order}
-        found.append({name: named[name] for name in structure.declared(named)})
+        found.append({name: v for name, v in named.items() if not structure.is_norm(name)} or named)
     return found
 
 
@@ -189,7 +201,3 @@ def _largest_shares(kept: list[int], left: Array, groups: tuple[set[int], ...]) 
         others = np.linalg.qr(left[worst][:, None], mode="complete")[0][:, 1:]
         left = np.delete(left, worst, axis=0) @ others
     return found
-
-
-def _shares(vector: dict[str, float]) -> str:
-    return ", ".join(f"'{name}' {share:.2f}" for name, share in vector.items())

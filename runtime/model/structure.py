@@ -88,14 +88,9 @@ class Structure(Constant):
         message = unknown_quantity(str(name), self.index, self._by_name)
         raise ModelError(f"{owner}: " * bool(owner) + message)
 
-    def declared(self, names: Iterable[str]) -> list[str]:
-        """Return the names without norms and what joints add (points, links that hold them); all, if none is left."""
-        names = list(names)
-        return [name for name in names if not self.is_norm(name) and name not in self._added] or names
-
     @cached_property
-    def _added(self) -> frozenset[str]:
-        """Coordinates of points that joints add to bodies, and deformations of the links that hold them."""
+    def added(self) -> frozenset[str]:
+        """Coordinates of the points that joints add to bodies, and deformations of the links that hold these."""
         ends = [(instance.nodes[-1], instance) for instance in self.instances if instance.nodes]
         arms = {node: instance for node, instance in ends if instance.name == arm_name(node)}
         places = (name for node in self.nodes if node.name in arms for name in node.coordinates)
@@ -202,3 +197,9 @@ def assemble_structure(
         relations=find_relations(instances, index, len(names)),
         controllers=tuple(controllers),
     )
+
+
+def declared(names: Iterable[str], added: frozenset[str]) -> list[str]:
+    """Return the names without those that were added to what was declared; all, if no others are left."""
+    names = list(names)
+    return [name for name in names if name not in added] or names
