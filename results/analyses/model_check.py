@@ -21,7 +21,7 @@ from flexel.model.constraints import ConstraintReport, constraint_report
 from flexel.model.lowering import Lowering
 from flexel.model.resolution import norms, resolve_roles
 from flexel.model.snapshot import Snapshot
-from flexel.model.structure import Structure, assemble_structure
+from flexel.model.structure import Structure, assemble_structure, declared
 from flexel.system import CoreSystem
 
 MAX_NAMES_SHOWN = 8  # names in a list
@@ -72,7 +72,9 @@ def _constraints(report: ConstraintReport) -> Iterator[Finding]:
     """Find redundant conditions with the smallest set to release, and motions that no elastic law resists."""
     for share in report.redundant:
         yield Finding(
-            "error", "constraints", f"over-constrained: {quoted(report.printed(share))} are not independent"
+            "error",
+            "constraints",
+            f"over-constrained: {quoted(declared(share, report.added))} are not independent",
         )
     if report.release:
         calls = ", ".join(f"m.release('{name}')" for name in report.release)
@@ -80,13 +82,15 @@ def _constraints(report: ConstraintReport) -> Iterator[Finding]:
     for name, others in report.alternatives.items():
         if others:
             yield Finding(
-                "note", "constraints", f"in place of '{name}' equally well: {quoted(report.printed(others))}"
+                "note",
+                "constraints",
+                f"in place of '{name}' equally well: {quoted(declared(others, report.added))}",
             )
     for share in report.motions[:MAX_MOTIONS_SHOWN]:
         yield Finding(
             "note",
             "constraints",
-            f"a mechanism: no law resists a motion of {_leading(report.printed(share))}",
+            f"a mechanism: no law resists a motion of {_leading(declared(share, report.added))}",
         )
     if (more := len(report.motions) - MAX_MOTIONS_SHOWN) > 0:
         yield Finding("note", "constraints", f"a mechanism: no law resists {counted(more, 'more motion')}")

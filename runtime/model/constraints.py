@@ -7,7 +7,6 @@ as in SPACAR Light: repeatedly the one with the largest share in the remaining r
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -57,10 +56,6 @@ class ConstraintReport:
     alternatives: dict[str, list[str]] = field(default_factory=dict)
     added: frozenset[str] = field(default=frozenset(), repr=False)
 
-    def printed(self, names: Iterable[str]) -> list[str]:
-        """Return the names to print: those that were declared, or all if none was."""
-        return declared(names, self.added)
-
     @prints
     def __repr__(self) -> str:
         lines = [f"{self.dofs} degree(s) of freedom left by the rigid conditions"]
@@ -69,13 +64,13 @@ class ConstraintReport:
         if self.release:
             lines.append(f"release {quoted(self.release)}")
         lines += [
-            f"in place of '{name}' equally well: {quoted(self.printed(others)) or 'none'}"
+            f"in place of '{name}' equally well: {quoted(declared(others, self.added)) or 'none'}"
             for name, others in self.alternatives.items()
         ]
         return "\n".join(lines)
 
     def _shares(self, vector: dict[str, float]) -> str:
-        return ", ".join(f"'{name}' {vector[name]:.2f}" for name in self.printed(vector))
+        return ", ".join(f"'{name}' {vector[name]:.2f}" for name in declared(vector, self.added))
 
 
 def _resists(spec: LawSpec) -> bool:
