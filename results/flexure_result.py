@@ -13,6 +13,7 @@ from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.base.outside import Dataset, Figure
 from flexel.base.shown import prints
+from flexel.linear.mode_tracking import tracked
 from flexel.results.flexure_step import FlexureStep
 from flexel.results.motion import Motion, with_options_of
 from flexel.results.saved.archive import integration_of, record_of
@@ -118,15 +119,21 @@ class Flexure:
 
         Names are short: a number, and the direction and node that move most.  NaN where a mode is not among the lowest.
         """
-        return self._lines("tracked_frequency", "tracked_mode")
+        return self._lines("tracked_frequency", "frequency", "mode_shape")
 
     @property
     def tracked_buckling(self) -> dict[str, Array]:
         """Buckling multipliers (steps,) of each mode, followed over the steps as `tracked_frequencies` are."""
-        return self._lines("tracked_buckling", "tracked_buckling_mode")
+        return self._lines("tracked_buckling", "buckling", "buckling_shape")
 
-    def _lines(self, name: str, dimension: str) -> dict[str, Array]:
-        return dict(zip(self.labels[dimension], self._of(name).T, strict=True))
+    def _lines(self, name: str, values: str, shapes: str) -> dict[str, Array]:
+        """Return stored lines, or those of the stored modes, which are all that a file of an earlier version has."""
+        if name in self.variables:
+            names, found = self.labels[self.variables[name].dims[1]], self._of(name)
+        else:
+            given = self._of(values)
+            names, found = tracked(self.load, self._of("drawn"), given, self._of(shapes), given.shape[1])
+        return dict(zip(names, found.T, strict=True))
 
     @property
     def stress(self) -> Array:

@@ -8,11 +8,11 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from flexel.apps.flexures.input_tables import FlexureTables
-from flexel.apps.flexures.mode_tracking import tracked
 from flexel.base.arrays import Array
 from flexel.base.callers import outside
 from flexel.base.errors import DynamicsError, IncompleteWarning
 from flexel.base.quaternions import axis_angle, euler_angles, rotation_rows
+from flexel.linear.mode_tracking import tracked
 from flexel.model.state import State
 from flexel.parts.materials import Profile
 from flexel.parts.model import Model
@@ -27,9 +27,7 @@ TURNS = ("about z", "about new y", "about new x")
 
 
 MAX_LOAD_MULTIPLIER = 1e9  # multiplier above which no flexible part carries the load
-TRACKED_BEYOND = (
-    6  # modes that are computed beyond those wanted, so that tracked ones go on where modes change places
-)
+TRACKED_BEYOND = 6  # modes computed beyond those wanted: tracked ones go on where modes change places
 
 
 class Measuring:

@@ -12,6 +12,7 @@ from flexel.apps.view.figures import COLOURS, figure, save
 from flexel.base.arguments import text, unknown, whole
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
+from flexel.linear.mode_tracking import among_lowest
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -99,14 +100,8 @@ def plot_stiffness(
 
     Parameters
     ----------
-    node : int
-        Row of the table of nodes, from 1.
-    along : str
-        Direction of the travel: x, y or z; by default the one in which the node moves farthest.
-    body_axes : bool
-        Whether the directions turn with the node.
-    path : path, optional
-        File for the figure; the suffix determines the format.
+    node, along, body_axes, path
+        As for `Flexure.plot_stiffness`.
     """
     stiffness = result.stiffness(node, body_axes)
     travel = result.displacements[:, node - 1]
@@ -136,9 +131,7 @@ def _lowest(curves: Mapping[str, Array]) -> dict[str, Array]:
     """Return the curves that are among the first few at any step."""
     if not curves:
         return {}
-    found = np.array(list(curves.values()))
-    place = np.argsort(np.argsort(np.abs(found), axis=0, kind="stable"), axis=0)  # NaN last
-    among = ((place < CURVES_SHOWN) & np.isfinite(found)).any(axis=1)
+    among = among_lowest(np.array(list(curves.values())).T, CURVES_SHOWN)
     return {name: values for (name, values), shown in zip(curves.items(), among, strict=True) if shown}
 
 

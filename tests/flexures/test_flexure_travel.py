@@ -80,6 +80,10 @@ def test_a_mode_is_followed_through_the_list(tmp_path: Path) -> None:
     assert list(again.tracked_buckling) == list(found.tracked_buckling)
     for name, values in lines.items():
         np.testing.assert_array_equal(again.tracked_frequencies[name], values)
+    earlier = {name: given for name, given in found.variables.items() if not name.startswith("tracked")}
+    file = fx.Flexure(found.motion, earlier, found.labels, (), (), ())
+    lowest = np.sort(np.array(list(file.tracked_frequencies.values())), axis=0)[:3].T
+    np.testing.assert_allclose(lowest, found.frequencies)
 
 
 def test_an_empty_column_says_why() -> None:

@@ -5,15 +5,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
-from flexel.base.arrays import Array
+from flexel.base.arrays import Array, Index
 from flexel.linear.tracking import Branches
 
 AXES = ("x", "y", "z", "turn about x", "turn about y", "turn about z")
 
 
 def tracked(
-    load: Sequence[float], places: Array, values: Array, shapes: Array, count: int
+    load: Sequence[float] | Array, places: Array, values: Array, shapes: Array, count: int
 ) -> tuple[tuple[str, ...], Array]:
     """Return the names (lines,) and values (steps, lines) of the modes that are among the first at any step.
 
@@ -43,9 +44,19 @@ def tracked(
     rows: Array = moved.reshape(len(moved), n, -1)
     branches = Branches.of_shapes(np.asarray(load), values[:, :n], rows, labels)
     found: Array = np.asarray(branches.eigenvalues.real)
-    place = np.argsort(np.argsort(np.abs(found), axis=1, kind="stable"), axis=1)  # NaN last
-    among = np.flatnonzero(((place < count) & np.isfinite(found)).any(axis=0))
+    place, among = ranks(found), np.flatnonzero(among_lowest(found, count))
     first = [(int(np.flatnonzero(np.isfinite(found[:, j]))[0]), int(place[:, j].min())) for j in among]
     among = among[sorted(range(len(among)), key=lambda k: first[k])]
-    moves = [branches.names[j].partition(" (")[0] for j in among]
+    names = branches.names
+    moves = [names[j].partition(" (")[0] for j in among]
     return tuple(f"{k}: {name}" for k, name in enumerate(moves, start=1)), found[:, among]
+
+
+def among_lowest(values: Array, count: int) -> NDArray[np.bool_]:
+    """Return which columns of values (steps, lines) are among the smallest in size at any step."""
+    return np.asarray(((ranks(values) < count) & np.isfinite(values)).any(axis=0))
+
+
+def ranks(values: Array) -> Index:
+    """Return the place of each value (steps, lines) in its row by size, unknown ones (NaN) last."""
+    return np.argsort(np.argsort(np.abs(values), axis=1, kind="stable"), axis=1)
