@@ -11,6 +11,7 @@ VENV_LOCK ?= .venv-lock
 OUT ?= out
 BENCH ?=
 MARKS ?= not campaign and not long
+TESTS ?= tests
 PYTEST ?= -n 2 --dist loadfile --no-loadscope-reorder --durations=10
 PORTABLE ?= 1
 QUOTED ?= bicycle warping cardan cylinder slider-crank flexures rope contact hoist vehicle motorcycle tolerances stability-map
@@ -55,9 +56,10 @@ demo: $(VENV)/installed-plot
 	@echo; echo "The pictures are in $(abspath $(OUT))/bicycle:"; ls $(OUT)/bicycle
 
 # The tests of the viewer drive Chromium (Debian: chromium). Where it is missing, these tests are skipped, and the last lines
-# say so. What is marked `long` takes as much time as all the rest, what is marked `campaign` more.
+# say so. What is marked `long` takes as much time as all the rest, what is marked `campaign` more. Both, and the tests of what
+# makes the pages (tools/tests), are left to `make test-all`.
 test: $(VENV)/installed-test
-	$(VENV)/bin/python -m pytest -m "$(MARKS)" $(PYTEST)
+	$(VENV)/bin/python -m pytest -m "$(MARKS)" $(PYTEST) $(TESTS)
 
 # Everything that can be tested on this machine; STEPS="strict oldest" runs these alone. Takes hours.
 test-all:

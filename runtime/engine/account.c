@@ -51,17 +51,6 @@ static void energies(flexel_account *o, const flexel_work *s)
     o->energy = o->kinetic + s->U + strain;
 }
 
-void flexel_account_begin(flexel_account *o, const flexel_work *s, const flexel_choice *c)
-{
-    if (!o)
-        return;
-    flexel_account_stage(o, s, c, o->start);
-    energies(o, s);
-    o->begun = o->energy;
-    o->fastest = fmax(o->fastest, o->kinetic);
-    o->largest = fmax(o->largest, o->stored);
-}
-
 void flexel_account_end(flexel_account *o, const flexel_work *s, const flexel_choice *c)
 {
     if (!o)
@@ -103,6 +92,20 @@ static void add(flexel_account *o, double h, double lost, double work, double do
     o->fastest = fmax(o->fastest, o->kinetic);
     o->largest = fmax(o->largest, o->stored);
     o->begun = o->energy;
+}
+
+void flexel_account_begin(flexel_account *o, const flexel_work *s, const flexel_choice *c)
+{
+    if (!o)
+        return;
+    flexel_account_stage(o, s, c, o->start);
+    energies(o, s);
+    if (!o->parted)
+        add(o, 0, 0, 0, 0);
+    o->parted = 0;
+    o->begun = o->energy;
+    o->fastest = fmax(o->fastest, o->kinetic);
+    o->largest = fmax(o->largest, o->stored);
 }
 
 void flexel_account_accept(flexel_account *o, double h)

@@ -15,6 +15,7 @@ typedef struct {
     const double *weights, *estimate, *rough;
     double lost[13], work[13];             /* powers at the stages [W] */
     double begun, energy, kinetic, stored; /* at the start of the step; at its end, and two parts of it without sign [J] */
+    int parted; /* whether the energy may differ where the next sequence of steps begins from that where the last has ended */
     /* found: energy that is missing at the end of the last step; the largest that was; the error of the integrals; largest
      * kinetic energy and other energies; what was taken out and supplied, without signs [J]; time that has passed, and had
      * passed at the end of the step in which most is missing, and what is missing in that step [J] */

@@ -55,10 +55,11 @@ size_t flexel_definite_solve(size_t n, double *A, double *b)
                 z -= A[k * n + i] * A[j * n + i];
             A[k * n + j] = z / A[j * n + j];
         }
-        double z = A[k * n + k];
+        const double size = A[k * n + k];
+        double z = size;
         for (size_t i = 0; i < k; i++)
             z -= A[k * n + i] * A[k * n + i];
-        if (!(z > 0))
+        if (!(z > FLEXEL_LEAST_PIVOT * size)) /* also if it is not a number */
             return k + 1;
         A[k * n + k] = sqrt(z);
     }

@@ -2,13 +2,13 @@
 #ifndef FLEXEL_LU_H
 #define FLEXEL_LU_H
 
+#include "dense.h"
 #include "elimination.h"
 #include "pivots.h"
 
 #include <float.h>
 #include <math.h>
 
-#define FLEXEL_LEAST_PIVOT 1e-14 /* least size of a pivot relative to its row of the matrix, columns scaled */
 #define FLEXEL_MOST_GROWTH 1e4   /* largest size of a row when it is eliminated, relative to its pivot */
 #define FLEXEL_LEAST_GROWTH 1e3  /* the same where the solution must be exact: pivots that are found anew reach it */
 

@@ -97,6 +97,7 @@ class Account(Struct):
         c.nweights, c.nestimates = quadrature.weights.size, quadrature.estimate.size
         c.weights, c.estimate = self.pointer(quadrature.weights), self.pointer(quadrature.estimate)
         c.rough = self.pointer(quadrature.rough)
+        self.part()
         self._next = 0
         self._last = quadrature.end
         self._bytes = ffi.buffer(self.struct)
@@ -113,6 +114,10 @@ class Account(Struct):
             noted.pop()
         self._bytes[:] = noted[-1][1]
         return noted[-1][0]
+
+    def part(self) -> None:
+        """The energy may differ where the next steps begin: after an impulse, or with other internal states."""
+        self.struct.parted = 1
 
     # -- for methods whose stages are not in C, each of which evaluates the rates once ------------------
 

@@ -105,11 +105,6 @@ class Scipy(MinimalRun):
         if self.t < self.stop:
             self.restart()
 
-    def jump(self, z: Array) -> None:
-        """Continue from here with other internal states."""
-        self.z = z
-        self.restart()
-
     def _started(self, y: Array, options: dict[str, Any]) -> Any:
         """Start a solver, with a short first step if its own choice leads to an unreachable position."""
         begin = self._rates, self.t, y, self.stop

@@ -169,6 +169,13 @@ class MinimalRun(DenseRun):
     def strike(self) -> None:
         """Continue from here with the rates just after an impulse."""
         super().strike()
+        self.account.part()
+        self.restart()
+
+    def jump(self, z: Array) -> None:
+        """Continue from here with other internal states."""
+        self.z = z
+        self.account.part()
         self.restart()
 
     def take(self) -> None:

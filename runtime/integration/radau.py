@@ -88,11 +88,6 @@ class Radau(MinimalRun):
         assert self.steps is not None
         return self.steps
 
-    def jump(self, z: Array) -> None:
-        """Continue from here with other internal states."""
-        self.z = z
-        self.restart()
-
     def advance(self) -> str | None:
         """One accepted step."""
         wished = self._steps.struct.h

@@ -87,12 +87,12 @@ def test_all_parts_have_a_command(tmp_path: Path) -> None:
     )
 
 
-def test_commands_under_sanitizers_leave_what_ran_and_what_was_found(checkout: Path, tmp_path: Path) -> None:
+def test_commands_under_sanitizers_leave_what_ran_and_what_was_found(tmp_path: Path) -> None:
     """The environment is that of the marked lines alone; after a failure the rest is listed, not run."""
     file, logs = tmp_path / "out" / "sanitize.json", tmp_path / "found"
     (tmp_path / "found.1").write_text("of an earlier run")
     lines = ['test -z "$MARK"', f'+test "$MARK" = "a b" && echo ERROR: x > {logs}.7', "false", "+true"]
-    script = [sys.executable, str(checkout / ".ci" / "sanitized.py"), str(file), str(logs), "MARK=a b"]
+    script = [sys.executable, str(Path(__file__).parents[2] / ".ci" / "sanitized.py"), str(file), str(logs), "MARK=a b"]
     answer = subprocess.run(script, input="\n".join(lines), capture_output=True, text=True, check=False)
     assert answer.returncode == 1, answer.stderr
     found = read_json(Sanitized, file, "make sanitize")
