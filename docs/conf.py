@@ -33,6 +33,7 @@ sphinx_gallery_conf = {
     "abort_on_example_error": True,
     "download_all_examples": False,
     "show_signature": False,
+    "remove_config_comments": True,
     "min_reported_time": 60,
     "write_computation_times": False,
     "thumbnail_size": (400, 280),

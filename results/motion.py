@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from html import escape
 from inspect import getdoc, signature
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar, Unpack, overload
 
 from flexel.base.arguments import path_of
+from flexel.base.errors import FlexelError
 from flexel.base.outside import DataFrame, Dataset, Figure
 from flexel.integration.trajectory import Trajectory
 
@@ -241,8 +243,11 @@ class Motion(Trajectory):
         return Page(scene_data(self, **checked("page", scene_data, options)))
 
     def _repr_html_(self) -> str:
-        """Show the motion in a notebook, with a third of the frames."""
-        return self.page(frames=101, progress=False)._repr_html_()
+        """Show the motion in a notebook, with a third of the frames; or the reason why there is nothing to show."""
+        try:
+            return self.page(frames=101, progress=False)._repr_html_()
+        except FlexelError as error:
+            return f"<p>{escape(repr(self))}</p><p>{escape(str(error))}</p>"
 
     def to_xarray(self, *names: str) -> Dataset:
         """Return an xarray.Dataset: one variable for each name, or everything, labelled, if none is given."""

@@ -16,6 +16,9 @@ import pytest
 from browser import Browser
 
 import flexel
+from flexel.examples import gallery
+
+GALLERY = {file.stem for file in Path(gallery.__path__[0]).glob("[a-z]*.py")}
 
 
 @pytest.fixture(scope="module")
@@ -38,6 +41,10 @@ def test_pages_hold_what_they_should(html: Path) -> None:
     assert not re.search(r"<(script|link)[^>]*(src|href)=.https?://", formulas)  # nothing from a network
     classic = (html / "_generated" / "gallery" / "four_bar.html").read_text(encoding="utf-8")
     assert "sphx_glr_four_bar_001.png" in classic and "the rocker swings between" in classic
+    programs = [page for page in (html / "_generated" / "gallery").glob("*.html") if page.stem in GALLERY]
+    assert len(programs) == len(GALLERY)
+    for program in programs:  # each plays its motion
+        assert "&lt;canvas id=&quot;picture&quot;" in program.read_text(encoding="utf-8"), program
     assert 'href="report-latest.html"' in (html / "report.html").read_text(encoding="utf-8")
 
 

@@ -45,6 +45,18 @@ def test_a_program_finds_what_is_known(name: str, monkeypatch: pytest.MonkeyPatc
     np.testing.assert_allclose(names["found"], known, rtol=0, atol=LOOSE.get(name, TIGHT) * scale)
 
 
+@pytest.mark.parametrize("name", NAMES)
+def test_a_program_ends_with_a_page_of_the_viewer_and_its_picture_is_in_the_list(name: str, checkout: Path) -> None:
+    """`tools/gallery_pictures.py` draws the picture."""
+    text = (FOLDER / f"{name}.py").read_text(encoding="utf-8")
+    last = ast.parse(text).body[-1]
+    assert isinstance(last, ast.Expr) and isinstance(last.value, ast.Call)
+    assert ast.unparse(last.value.func).endswith((".view", "view_modes"))
+    path = f"images/gallery/{name}.png"
+    assert f"# sphinx_gallery_thumbnail_path = '{path}'\n" in text
+    assert (checkout / "docs" / path).read_bytes()[16:24] == (400).to_bytes(4) + (280).to_bytes(4)
+
+
 def check_figure(figure: Any) -> None:
     """Something is drawn; the figure has a title, and plain axes have quantities with units."""
     assert figure.axes[0].has_data()
@@ -57,10 +69,10 @@ def check_figure(figure: Any) -> None:
 
 
 def test_there_are_enough_and_they_are_short() -> None:
-    """Code is counted without the text at the head, empty lines and comments."""
+    """Code is counted without the text at the head, empty lines, comments, and what shows the motion at the end."""
     lengths = {}
     for name in NAMES:
-        text = (FOLDER / f"{name}.py").read_text(encoding="utf-8")
+        text = (FOLDER / f"{name}.py").read_text(encoding="utf-8").split("# %%")[0]
         code = text.split("\n")[ast.parse(text).body[0].end_lineno :]
         lengths[name] = sum(1 for line in code if line.strip() and not line.lstrip().startswith("#"))
     assert len(NAMES) >= 24

@@ -71,8 +71,10 @@ def _line(poses: Poses, instance: Instance, style: str, line: Array) -> Shape:
 
 
 def _through_points(poses: Poses, instance: Instance) -> Iterator[Shape]:
-    """Draw the line through the points of an element as a bar; nothing with fewer than two."""
+    """Draw the line through the points of an element as a bar, or its only point as a mass if it has inertia."""
     ends = [n for n in instance.nodes if poses.structure.node(n).kind.endswith("point")]
+    if len(ends) == 1 and "inertia" in instance.spec.kernels:
+        yield Shape("mass", instance.name, (poses.place(ends[0])[..., None, :],))
     if len(ends) > 1:
         yield _line(poses, instance, "bar", np.stack([poses.place(n) for n in ends], axis=-2))
 

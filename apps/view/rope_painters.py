@@ -51,8 +51,9 @@ def contact(poses: Poses, instance: Instance) -> Iterator[Shape]:
     """Draw the force of a contact on a rope, a point or a ball, and the ball."""
     outputs = poses.outputs(instance)
     centre = spatial(outputs["place"])
-    if "centre" in instance.parameters:
-        yield from _ball(instance, centre, triad_of(outputs, "axes_ball"))
+    if "sphere_radius" in instance.parameters:
+        turned = "centre" in instance.parameters  # else a point, which has no axes
+        yield from _ball(instance, centre, triad_of(outputs, "axes_ball") if turned else np.eye(3))
     yield Shape("force", instance.name, (centre[..., None, :],), force=spatial(outputs["force"]))
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
@@ -178,9 +178,20 @@ def _window(state: State, view: View, parts: Sequence[drawing.Shape]) -> tuple[A
     return centre, view.span or 1.1 * max(float(np.max(high - low)), 1e-9)
 
 
-def painted(parts: Iterable[drawing.Shape]) -> Array:
-    """Return all vertices (..., k, 3) that are painted."""
-    return np.concatenate([line for part in parts if part.style in PAINT for line in part.lines], axis=-2)
+def painted(parts: Sequence[drawing.Shape]) -> Array:
+    """Return all vertices (..., k, 3) that are painted.
+
+    Raises
+    ------
+    ModelError
+        If there are none.
+    """
+    lines = [line for part in parts if part.style in PAINT for line in part.lines]
+    if not lines:
+        raise ModelError(
+            "nothing to draw: no part of the model has a position; give it points, or plot its values with motion.plot(…)"
+        )
+    return np.concatenate(lines, axis=-2)
 
 
 def _lines(part: drawing.Shape) -> tuple[Array, ...]:

@@ -41,3 +41,9 @@ for name in ("small", "large"):
 right.set(xlabel="time [s]", ylabel="angular velocity [rad/s]")
 right.legend()
 plt.show()
+
+# %%
+# The motion: play it, turn it, point at its parts.
+
+# sphinx_gallery_thumbnail_path = 'images/gallery/belt_drive.png'
+motion.view(title="Two pulleys and their belt")

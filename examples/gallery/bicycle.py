@@ -49,3 +49,10 @@ plt.gca().set(ylim=(-6, 2), xlabel="speed [m/s]", ylabel="real part of the eigen
 plt.title("Eigenvalues of the uncontrolled bicycle")
 plt.legend()
 plt.show()
+
+# %%
+# A ride at a stable speed after a kick: play it, turn it, point at its parts.
+
+kicked = s.state_at(rates={"lean.angle": 0.4, "steer.angle": 0, "spin.angle": -4.6 / 0.3})
+# sphinx_gallery_thumbnail_path = 'images/gallery/bicycle.png'
+s.simulate(5, start=kicked).view(title="The bicycle at 4.6 m/s")

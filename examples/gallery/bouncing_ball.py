@@ -43,3 +43,9 @@ right.plot(1e6 * (impact.t - fall), -impact.force("bounce.gap"))
 right.set(xlabel="time since contact [µs]", ylabel="force [N]", xlim=(-200, 2200))
 figure.suptitle("A ball bounces on a plane")
 plt.show()
+
+# %%
+# The motion: play it, turn it, point at its parts.
+
+# sphinx_gallery_thumbnail_path = 'images/gallery/bouncing_ball.png'
+motion.view(title="A ball bounces on a plane")

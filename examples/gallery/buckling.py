@@ -9,6 +9,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import flexel as fx
+from flexel.apps.view.page import view_modes
 
 length, EI, n = 1.0, 100.0, 8
 m = fx.Model()
@@ -34,3 +35,9 @@ plt.ylabel("height [m]")
 plt.title("Buckling modes of a column")
 plt.legend(title="buckling load")
 plt.show()
+
+# %%
+# The modes, with a slider for the amplitude.
+
+# sphinx_gallery_thumbnail_path = 'images/gallery/buckling.png'
+view_modes(s.at_rest, modes=modes, title="Buckling modes of a column")

@@ -47,3 +47,11 @@ plt.xlabel("angle of the cam [rad]")
 plt.ylabel("contact force [N]")
 plt.title("Force between cam and follower")
 plt.show()
+
+# %%
+# The motion: play it, turn it, point at its parts.
+
+turn = np.linspace(0, 2 * np.pi, 91)
+outline = (b + h * (1 + np.cos(turn)) / 2) * np.array([np.cos(turn), np.sin(turn), 0 * turn])
+# sphinx_gallery_thumbnail_path = 'images/gallery/cam.png'
+motion.view(title="A cam and its follower", view=fx.View(sketches=[fx.Sketch("axis", "shaft", outline.T)]))

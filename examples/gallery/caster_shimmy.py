@@ -39,3 +39,9 @@ plt.xlabel("distance travelled [m]")
 plt.ylabel("lateral displacement of the pivot [mm]")
 plt.title("Shimmy of a caster")
 plt.show()
+
+# %%
+# The motion: play it, turn it, point at its parts.
+
+# sphinx_gallery_thumbnail_path = 'images/gallery/caster_shimmy.png'
+motion.view(title="Shimmy of a caster")

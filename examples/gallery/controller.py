@@ -46,3 +46,9 @@ right.set(xlabel="time [s]", ylabel="position, angle [m, rad]")
 figure.suptitle("A cart balances a rod")
 right.legend()
 plt.show()
+
+# %%
+# The motion: play it, turn it, point at its parts.
+
+# sphinx_gallery_thumbnail_path = 'images/gallery/controller.png'
+motion.view(title="A cart balances a rod")

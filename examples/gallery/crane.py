@@ -41,3 +41,9 @@ plt.ylabel("load ahead of the trolley [m]")
 plt.title("Swing of the load")
 plt.legend(title="duration of the move")
 plt.show()
+
+# %%
+# The move after which the load swings: play it, turn it, point at its parts.
+
+# sphinx_gallery_thumbnail_path = 'images/gallery/crane.png'
+motions[1.3].view(title="A crane with a swinging load")

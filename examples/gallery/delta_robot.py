@@ -43,3 +43,9 @@ axes.plot(*motion.position("tool").T)
 draw(motion[0], axes, fx.View(centre=(0, 0, -0.3), span=0.9))
 axes.set_title("Path of the tool")
 plt.show()
+
+# %%
+# The motion: play it, turn it, point at its parts.
+
+# sphinx_gallery_thumbnail_path = 'images/gallery/delta_robot.png'
+motion.view(title="A delta robot", view=fx.View(trails=["tool"]))

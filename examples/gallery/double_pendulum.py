@@ -37,3 +37,9 @@ axes.plot(*motion.position("B").T, lw=0.6)
 draw(motion[0], axes, fx.View(centre=(0, -0.2, 0), span=4.2))
 axes.set_title("Path of the lower mass")
 plt.show()
+
+# %%
+# The motion: play it, turn it, point at its parts.
+
+# sphinx_gallery_thumbnail_path = 'images/gallery/double_pendulum.png'
+motion.view(title="A double pendulum", view=fx.View(trails=["B"]))

@@ -44,3 +44,9 @@ right.set(xlabel="displacement of the stage [mm]", ylabel="height of the stage [
 figure.suptitle("A stage on two leaf springs")
 right.legend()
 plt.show()
+
+# %%
+# The stage under a growing load: move the slider, point at its parts.
+
+# sphinx_gallery_thumbnail_path = 'images/gallery/flexure_stage.png'
+path.view(title="A stage on two leaf springs")

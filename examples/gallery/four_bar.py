@@ -39,3 +39,9 @@ right.plot(motion.t, np.degrees(angle))
 right.set(xlabel="turns of the crank [-]", ylabel="angle of the rocker [°]")
 figure.suptitle("Four-bar linkage")
 plt.show()
+
+# %%
+# The motion: play it, turn it, point at its parts.
+
+# sphinx_gallery_thumbnail_path = 'images/gallery/four_bar.png'
+motion.view(title="A four-bar linkage", view=fx.View(trails=["B"]))

@@ -46,3 +46,9 @@ plt.ylabel("angle [rad]")
 plt.title("The controlled Furuta pendulum")
 plt.legend()
 plt.show()
+
+# %%
+# The motion: play it, turn it, point at its parts.
+
+# sphinx_gallery_thumbnail_path = 'images/gallery/furuta_pendulum.png'
+motion.view(title="The controlled Furuta pendulum")

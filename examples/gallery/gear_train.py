@@ -40,3 +40,9 @@ for name in ("sun", "carrier", "planet"):
 right.set(xlabel="time [s]", ylabel="turns [-]")
 right.legend()
 plt.show()
+
+# %%
+# The motion: play it, turn it, point at its parts.
+
+# sphinx_gallery_thumbnail_path = 'images/gallery/gear_train.png'
+motion.view(title="A planetary gear train")

@@ -32,3 +32,9 @@ plt.plot(x, c * (np.cosh((x - span / 2) / c) - np.cosh(span / (2 * c))), label="
 plt.gca().set(xlabel="x [m]", ylabel="y [m]", aspect="equal", title="A chain of forty links")
 plt.legend()
 plt.show()
+
+# %%
+# The chain as drawn, let go: play it, turn it, point at its parts.
+
+# sphinx_gallery_thumbnail_path = 'images/gallery/hanging_chain.png'
+s.simulate(3).view(title="A chain of forty links")

@@ -42,3 +42,9 @@ plt.ylabel("error of the end [m]")
 plt.title("Cost and error of the integrators")
 plt.legend()
 plt.show()
+
+# %%
+# The motion: play it, turn it, point at its parts.
+
+# sphinx_gallery_thumbnail_path = 'images/gallery/integrators.png'
+motion.view(title="A pendulum of three links", view=fx.View(trails=[end]))

@@ -50,3 +50,12 @@ plt.colorbar(label="frequency [Hz]")
 plt.gca().set(ylim=(-12, 5), xlabel="speed [m/s]", ylabel="real part of the eigenvalues [1/s]")
 plt.title("Eigenvalues of a motorcycle")
 plt.show()
+
+# %%
+# A ride at 30 m/s after a kick: play it, turn it, point at its parts.
+
+rates = {name: r[50] for name, r in rates.items()}
+steady = s.steady(rates=rates, unknown=["machine.z", "pitch.angle"])
+kicked = s.state_at(rates=rates | {"lean.angle": 0.6}, start=steady)
+# sphinx_gallery_thumbnail_path = 'images/gallery/motorcycle.png'
+s.simulate(3, start=kicked).view(title="A motorcycle at 30 m/s")

@@ -16,8 +16,8 @@ mass, l, a, b = 2.0, 0.5, 0.3, 0.2  # spring from a above the pivot to b along t
 angles = np.linspace(-1.2, 1.2, 9)
 
 
-def torques(design: np.ndarray) -> np.ndarray:
-    """Return the moments that remain in several positions, for a stiffness [N/m] and a force as drawn [N]."""
+def lamp(design: np.ndarray) -> fx.System:
+    """Return the lamp on its arm, for a stiffness [N/m] and a force as drawn [N] of the spring."""
     m = fx.Model(gravity=(0, -9.81))
     m.point("pivot", (0, 0), fixed=True)
     m.point("hook", (0, a), fixed=True)
@@ -30,7 +30,12 @@ def torques(design: np.ndarray) -> np.ndarray:
     m.truss("spring", "hook", "eye")
     m.spring("spring.elongation", design[0], preload=design[1])
     m.independent("arm.angle")
-    s = m.build()
+    return m.build()
+
+
+def torques(design: np.ndarray) -> np.ndarray:
+    """Return the moments that remain in several positions."""
+    s = lamp(design)
     states = [s.state_at({"arm.angle": angle}) for angle in angles]
     return np.array([mass * l**2 * state.acceleration("arm.angle") for state in states])
 
@@ -49,3 +54,10 @@ plt.ylabel("residual moment [N m]")
 plt.title("A balanced arm")
 plt.legend()
 plt.show()
+
+# %%
+# The balanced arm, pushed: play it, turn it, point at its parts.
+
+s = lamp(found)
+# sphinx_gallery_thumbnail_path = 'images/gallery/optimization.png'
+s.simulate(4, start=s.state_at({"arm.angle": -1.0}, {"arm.angle": 0.5})).view(title="A balanced arm")

@@ -44,3 +44,9 @@ plt.plot(0, 0, "yo", markersize=12, label="sun")
 plt.gca().set(xlabel="x [m]", ylabel="y [m]", aspect="equal", title="Orbit of a planet")
 plt.legend(loc="upper right")
 plt.show()
+
+# %%
+# The motion: play it, turn it, point at its parts.
+
+# sphinx_gallery_thumbnail_path = 'images/gallery/own_element.png'
+motion.view(title="Orbit of a planet", view=fx.View(trails=["P"]))

@@ -43,3 +43,9 @@ draw(motion[-1], axes, fx.View(centre=(0.35, 0, 0), span=1.2))
 axes.set_title("Paths of three joints")
 axes.legend()
 plt.show()
+
+# %%
+# The motion: play it, turn it, point at its parts.
+
+# sphinx_gallery_thumbnail_path = 'images/gallery/peaucellier.png'
+motion.view(title="Peaucellier's linkage", view=fx.View(trails=["far"]))

@@ -39,3 +39,9 @@ plt.ylabel("amplitude / amplitude of the road [-]")
 plt.title("Response of a quarter car to the road")
 plt.legend()
 plt.show()
+
+# %%
+# The modes, with a slider for the amplitude.
+
+# sphinx_gallery_thumbnail_path = 'images/gallery/quarter_car.png'
+lin.view(title="Modes of a quarter car")

@@ -46,3 +46,9 @@ right.set(xlabel="time [s]", ylabel="torque of the motor [N m]")
 right.legend()
 figure.suptitle("Torques of the motors along a path")
 plt.show()
+
+# %%
+# The motion: play it, turn it, point at its parts.
+
+# sphinx_gallery_thumbnail_path = 'images/gallery/robot_arm.png'
+motion.view(title="A robot arm along a path", view=fx.View(trails=["hand"]))

@@ -45,3 +45,9 @@ right.plot(*wobble.position("contact")[:, :2].T)
 right.set(xlabel="x [m]", ylabel="y [m]", title="track after a push")
 figure.suptitle("A rolling disc")
 plt.show()
+
+# %%
+# The motion: play it, turn it, point at its parts.
+
+# sphinx_gallery_thumbnail_path = 'images/gallery/rolling_disc.png'
+wobble.view(title="A rolling disc")

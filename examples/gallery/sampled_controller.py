@@ -48,3 +48,9 @@ right.set(xlabel="time [s]", ylabel="torque [N m]")
 left.legend()
 figure.suptitle("A pendulum with a sampled, saturated controller")
 plt.show()
+
+# %%
+# The motion that stays upright from farthest: play it, turn it, point at its parts.
+
+# sphinx_gallery_thumbnail_path = 'images/gallery/sampled_controller.png'
+s.simulate(1.5, start=s.state_at({"motor.angle": 0.45})).view(title="A pendulum with a sampled controller")

@@ -36,3 +36,9 @@ right.plot(motion.t, motion.force("rod.elongation"))
 right.set(xlabel="time [s]", ylabel="force in the rod [N]")
 figure.suptitle("Slider-crank")
 plt.show()
+
+# %%
+# The motion: play it, turn it, point at its parts.
+
+# sphinx_gallery_thumbnail_path = 'images/gallery/slider_crank.png'
+motion.view(title="A slider-crank")

@@ -41,3 +41,11 @@ for motion, label in ((steady, "steady"), (nodding, "let go")):
 axes.set_title("tilt of the axis [°] over its heading")
 axes.legend()
 plt.show()
+
+# %%
+# The top, let go: play it, turn it, point at its parts.
+
+stem = fx.Cylinder("O", "top", (0, 0, 0), (0, 0, 0.1), 0.004)
+disc = fx.Cylinder("O", "top", (0, 0, 0.05), (0, 0, 0.07), 0.045)
+# sphinx_gallery_thumbnail_path = 'images/gallery/spinning_top.png'
+nodding.view(title="A spinning top, let go", view=fx.View(sketches=[stem, disc]))

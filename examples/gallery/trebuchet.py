@@ -44,3 +44,9 @@ figure.suptitle("Trebuchet")
 right.plot(motion.t, reach)
 right.set(xlabel="time at which the sling opens [s]", ylabel="range [m]")
 plt.show()
+
+# %%
+# The motion: play it, turn it, point at its parts.
+
+# sphinx_gallery_thumbnail_path = 'images/gallery/trebuchet.png'
+motion.view(title="A trebuchet", view=fx.View(trails=["stone"]))

@@ -15,8 +15,8 @@ import flexel as fx
 mu = 0.05
 
 
-def response(damping: float, omega: np.ndarray) -> np.ndarray:
-    """Return the amplitude of the main mass for a force of one newton."""
+def absorber(damping: float) -> fx.System:
+    """Return the main mass and the small one on it, on springs and a damper."""
     m = fx.Model()
     m.point("ground", (0, 0), fixed=True)
     for name, x, mass in (("main", 1.0, 1.0), ("small", 2.0, mu)):
@@ -26,7 +26,12 @@ def response(damping: float, omega: np.ndarray) -> np.ndarray:
     m.truss("spring", "ground", "main", stiffness=1.0)
     m.truss("absorber", "main", "small")
     m.spring("absorber.elongation", mu / (1 + mu) ** 2, damping * 2 * mu / (1 + mu))
-    A, B, C, D = m.build().linearize().state_space(["main.x"], ["main.x"])
+    return m.build()
+
+
+def response(damping: float, omega: np.ndarray) -> np.ndarray:
+    """Return the amplitude of the main mass for a force of one newton."""
+    A, B, C, D = absorber(damping).linearize().state_space(["main.x"], ["main.x"])
     return np.array([abs(C @ np.linalg.solve(1j * w * np.eye(len(A)) - A, B) + D)[0, 0] for w in omega])
 
 
@@ -45,3 +50,9 @@ plt.ylabel("amplitude / static deflection [-]")
 plt.title("Response of the main mass")
 plt.legend()
 plt.show()
+
+# %%
+# The modes, with a slider for the amplitude.
+
+# sphinx_gallery_thumbnail_path = 'images/gallery/tuned_absorber.png'
+absorber(best).linearize().view(title="Modes of a mass with its absorber")

@@ -39,3 +39,9 @@ axes.plot(*motion.position("foot").T)
 draw(motion[60], axes, fx.View(centre=(2, 2.5, 0), span=7))
 axes.set_title("Path of the foot")
 plt.show()
+
+# %%
+# The motion: play it, turn it, point at its parts.
+
+# sphinx_gallery_thumbnail_path = 'images/gallery/walking_leg.png'
+motion.view(title="A walking leg", view=fx.View(trails=["foot"]))

@@ -41,3 +41,9 @@ plt.ylabel("frequency of the whirl [rad/s]")
 plt.title("Whirl of a shaft with a disc")
 plt.legend()
 plt.show()
+
+# %%
+# The modes at the highest speed, with a slider for the amplitude.
+
+# sphinx_gallery_thumbnail_path = 'images/gallery/whirling_shaft.png'
+s.linearize(s.state_at(rates={"spin.angle": speeds[-1]})).view(title="Whirl of a shaft with a disc")

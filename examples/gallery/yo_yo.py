@@ -33,3 +33,9 @@ right.plot(motion.t, motion["turn.angle"] / (2 * np.pi))
 right.set(xlabel="time [s]", ylabel="turns [-]")
 figure.suptitle("A yo-yo falls")
 plt.show()
+
+# %%
+# The motion: play it, turn it, point at its parts.
+
+# sphinx_gallery_thumbnail_path = 'images/gallery/yo_yo.png'
+motion.view(title="A yo-yo falls")

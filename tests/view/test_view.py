@@ -304,3 +304,47 @@ def test_the_floor_is_below_the_sections_of_beams(height: float) -> None:
     assert lowest(leaf, up) == pytest.approx(min(0, float(leaf.lines[0][-1, 2])) - height / 2, rel=1e-3)
     found = common(state, drawn, fx.View(), "", "")["floor"]
     assert found["height"] == pytest.approx(lowest(leaf, up) - 0.02 * 0.1, rel=1e-5)
+
+
+def test_a_model_without_positions_has_nothing_to_draw(tmp_path: Path) -> None:
+    """Two angles: refused by name where a picture is wanted, and said where a notebook would show one."""
+    m = fx.Model()
+    for name in ("first", "second"):
+        m.angle(name)
+        m.rotary_inertia(f"{name} rotor", name, 1.0)
+    system = m.build()
+    motion = system.simulate(0.1, progress=False)
+    for drawing in (
+        lambda: motion.view(tmp_path / "view.html"),
+        lambda: motion.animate(tmp_path / "moving.gif"),
+        lambda: system.linearize().view(tmp_path / "modes.html"),
+    ):
+        with pytest.raises(fx.ModelError, match="no part of the model has a position; give it points"):
+            drawing()
+    for shown in (motion, m):
+        assert "no part of the model has a position" in shown._repr_html_()
+
+
+def test_buckling_modes_are_shown_with_their_multipliers() -> None:
+    """A clamped strip under a load along it; the shape goes across it, as far as all modes do at their tip."""
+    system = cantilever()
+    state = system.equilibrium()
+    modes = system.buckling(increment={"A.x": -1.0}, count=1)
+    scene = mode_data(state, modes)
+    assert scene["title"] == "Buckling modes"
+    assert scene["modes"][0]["text"] == f"buckling at {modes[0].multiplier:.4g}"
+    moved = unpacked(parts(scene, "joint", "A")[0]["modes"], 3)[0]
+    np.testing.assert_allclose(np.abs(moved), [0, 1, 0], atol=1e-6)
+
+
+def test_a_point_that_touches_as_a_ball_is_drawn_as_one() -> None:
+    m = fx.Model(gravity=(0, 0, -9.81))
+    m.point("ball", (0, 0, 0.3))
+    m.point("ground", (0, 0, 0), fixed=True)
+    m.frame("level", fixed=True)
+    m.plane("floor", "ground", "level")
+    m.point_mass("mass", "ball", 0.1)
+    m.contact("bounce", "ball", "floor", fx.Contact(1e7), radius=0.02)
+    rims = [shape for shape in shapes(m.build().initial) if shape.style == "rim"]
+    places = np.concatenate([line for rim in rims for line in rim.lines])
+    np.testing.assert_allclose(np.linalg.norm(places - [0, 0, 0.3], axis=1), 0.02, rtol=1e-12)

@@ -116,6 +116,25 @@ def test_the_middle_of_a_mechanism_that_goes_far_is_followed(tmp_path: Path, fre
     assert ends[0][1] == pytest.approx(ends[1][1], rel=0.15)
 
 
+def test_what_stays_behind_does_not_make_what_is_followed_small(tmp_path: Path, fresh: Browser) -> None:
+    """A bar that flies 100 m away from a fixed point."""
+    m = fx.Model()
+    m.point("start", (0, 0), fixed=True)
+    for name, x in (("tail", 0.0), ("nose", 1.0)):
+        m.point(name, (x, 0))
+        m.point_mass(f"{name} mass", name, 1.0)
+    m.truss("bar", "tail", "nose")
+    system = m.build()
+    start = system.state_at(rates={name: 10.0 * name.endswith(".x") for name in system.dynamic})
+    motion = system.simulate(10.0, start=start, progress=False)
+    assert motion["nose.x"][-1] > 50
+    fresh.open(motion.view(tmp_path / "flight.html"), "#t=5")
+    assert fresh.value("document.querySelector('#follow').value") == MECHANISM
+    shown = fresh.picture()
+    columns = np.argwhere(np.max(shown, axis=2) < 140)[:, 1]
+    assert np.ptp(columns) > 0.4 * shown.shape[1]
+
+
 def test_a_ruler_tells_a_round_length(tmp_path: Path, fresh: Browser) -> None:
     """A rod of 1 m is as many times longer in the picture than the ruler as in truth."""
     fresh.open(pendulum().simulate(0.1, progress=False).view(tmp_path / "swing.html"), "#t=0")

@@ -20,11 +20,10 @@ from flexel.base.files import replacing
 from flexel.base.shown import prints
 
 if TYPE_CHECKING:
+    from flexel.apps.view.page.mode_shapes import AnyMode
     from flexel.integration.trajectory import Trajectory
     from flexel.mechanics.linearized_system import LinearizedSystem
-    from flexel.mechanics.modes import Mode
     from flexel.model.state import State
-    from flexel.statics.stability import Vibration
 
 __all__ = ["Page", "mode_data", "page", "scene_data", "view_modes", "view_motion", "write_page"]
 
@@ -68,7 +67,7 @@ def view_motion(motion: Trajectory, path: str | Path | None = None, **options: A
 def view_modes(
     about: LinearizedSystem | State,
     path: str | Path,
-    modes: Sequence[Mode | Vibration] | None = None,
+    modes: Sequence[AnyMode] | None = None,
     **options: Any,
 ) -> Path: ...
 
@@ -77,7 +76,7 @@ def view_modes(
 def view_modes(
     about: LinearizedSystem | State,
     path: None = None,
-    modes: Sequence[Mode | Vibration] | None = None,
+    modes: Sequence[AnyMode] | None = None,
     **options: Any,
 ) -> Page: ...
 
@@ -85,10 +84,10 @@ def view_modes(
 def view_modes(
     about: LinearizedSystem | State,
     path: str | Path | None = None,
-    modes: Sequence[Mode | Vibration] | None = None,
+    modes: Sequence[AnyMode] | None = None,
     **options: Any,
 ) -> Path | Page:
-    """Write a page that shows modes of vibration with a slider for the amplitude, or return it; see `mode_data`.
+    """Write a page that shows modes of vibration or buckling with a slider for the amplitude, or return it; see `mode_data`.
 
     Examples
     --------

@@ -2,6 +2,7 @@
 
 const SAMPLES = 16; // frames of a motion that are looked at
 const MARGIN = 1.06;
+const UNMOVED = new Set(["fixed", "guide"]); // left behind by what is followed
 
 /** Instants over the whole motion, or over a period of the mode that is shown. */
 function samples(now) {
@@ -34,6 +35,7 @@ function fitted(parts, orbit, root, followed, now, aspect) {
     if (followed) base.fromArray(followed.track.at(instant));
     for (const part of parts) {
       if (!part.visible || part instanceof Arrow || part.spec.style === "ground") continue;
+      if (followed && UNMOVED.has(part.spec.style)) continue;
       const points = outermost(part, instant), extra = part.radius;
       for (let i = 0; i < points.length; i += 3) {
         v.set(points[i], points[i + 1], points[i + 2]).sub(base);

@@ -20,27 +20,29 @@ from flexel.base.errors import ModelError
 from flexel.mechanics.linearized_system import LinearizedSystem
 from flexel.mechanics.modes import Mode
 from flexel.model.state import State, own_state
-from flexel.statics.stability import Vibration
+from flexel.statics.stability import BucklingMode, Vibration
 
 SMALL_AMPLITUDE = 1e-5  # amplitude at which parts are displaced, relative to the model
+AnyMode = Mode | Vibration | BucklingMode
 MODES_SHOWN = 12  # number of modes of a linearization shown by default
 
 
 def mode_data(
     about: LinearizedSystem | State,
-    modes: Sequence[Mode | Vibration] | None = None,
+    modes: Sequence[AnyMode] | None = None,
     *,
     view: View | None = None,
     title: str = "",
     caption: str = "",
 ) -> dict[str, Any]:
-    """Return all data that the viewer needs to show modes of vibration, in a form that can be saved to a file.
+    """Return all data that the viewer needs to show modes, in a form that can be saved to a file.
 
     Parameters
     ----------
     about : LinearizedSystem, or State
-        The origin of the modes: a linearization, or the state of rest given to `System.vibrations`.
-    modes : sequence of Mode or Vibration, optional
+        The origin of the modes: a linearization, or the state of rest given to `System.vibrations` or
+        `System.buckling`.
+    modes : sequence of Mode, Vibration or BucklingMode, optional
         By default the slowest twelve of the linearization.
     view, title, caption
         As for a motion.
@@ -55,12 +57,13 @@ def mode_data(
         modes = sorted(about.modes(), key=lambda mode: mode.omega)[:MODES_SHOWN]
     if not modes:
         raise ModelError(
-            "view of modes: no modes given; give those of system.vibrations(state), or a linearization"
+            "view of modes: no modes given; give those of system.vibrations(state) or system.buckling(state), or a linearization"
         )
     view = view or View()
     base = drawing.shapes(state, view.sketches)
+    buckled = all(isinstance(mode, BucklingMode) for mode in modes)
+    found = common(state, base, view, title or ("Buckling modes" if buckled else "Modes of vibration"), caption)
     displaced = [_displaced(state, _coordinates(about, state, mode), base, view) for mode in modes]
-    found = common(state, base, view, title or "Modes of vibration", caption)
     found |= {
         "times": [state.t],
         "speed": 1.0,
@@ -104,7 +107,7 @@ def own_state_of(state: object) -> State:
     return own_state(state.structure, state, "view of modes")
 
 
-def _coordinates(about: LinearizedSystem | State, state: State, mode: Mode | Vibration) -> ComplexArray:
+def _coordinates(about: LinearizedSystem | State, state: State, mode: AnyMode) -> ComplexArray:
     """Return the amplitudes (n,) of all coordinates in a mode."""
     s, shape = state.structure, {name: complex(amplitude) for name, amplitude in mode.shape.items()}
     found = np.zeros(s.n, dtype=complex)
@@ -168,8 +171,11 @@ def packed_pairs(pairs: Sequence[tuple[Array, Array]]) -> str:
     return packed([np.concatenate([array for pair in pairs for array in pair])])
 
 
-def _words(i: int, mode: Mode | Vibration) -> dict[str, str]:
+def _words(i: int, mode: AnyMode) -> dict[str, str]:
     """Return name and description of a mode."""
+    if isinstance(mode, BucklingMode):
+        text = f"buckling at {mode.multiplier:.4g}"
+        return {"name": f"{i + 1}: {text}", "text": text}
     if isinstance(mode, Vibration):
         hertz = abs(mode.omega) / (2 * np.pi)
         text = f"{hertz:.4g} Hz" if mode.omega >= 0 else f"unstable, {abs(mode.omega):.4g} 1/s"
