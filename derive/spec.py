@@ -149,10 +149,11 @@ class ElementSpec:
 
 @dataclass(frozen=True)
 class InternalSpec:
-    """Internal state of a law."""
+    """Internal state of a law; one that lasts changes with displacements only."""
 
     name: str
     unit: str
+    lasting: bool = False
 
 
 @dataclass(frozen=True)

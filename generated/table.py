@@ -6430,7 +6430,7 @@ LAWS: dict[str, LawSpec] = {
         deformations=1,
         slips=1,
         states=(
-            InternalSpec("z_0", "m"),
+            InternalSpec("z_0", "m", lasting=True),
         ),
         parameters=(
             ParameterSpec("stiffness", 1, "N/m^exponent", "normal force per penetration^exponent", sign=("not negative",)),
@@ -6474,8 +6474,8 @@ LAWS: dict[str, LawSpec] = {
         deformations=1,
         slips=2,
         states=(
-            InternalSpec("z_0", "m"),
-            InternalSpec("z_1", "m"),
+            InternalSpec("z_0", "m", lasting=True),
+            InternalSpec("z_1", "m", lasting=True),
         ),
         parameters=(
             ParameterSpec("stiffness", 1, "N/m^exponent", "normal force per penetration^exponent", sign=("not negative",)),

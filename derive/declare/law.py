@@ -21,11 +21,22 @@ from flexel.derive.definition_errors import ElementError
 
 @dataclass(frozen=True)
 class Internal:
-    """Internal state z of a law (a bristle's deflection, a lagging slip), with its rate."""
+    """Internal state z of a law (a bristle's deflection, a lagging slip), with its rate.
+
+    Parameters
+    ----------
+    name, unit : str
+    rate : Expr
+        dz/dt.
+    lasting : bool
+        Whether it changes with displacements only, and stays as it is at rest, such as the deflection of a bristle:
+        an equilibrium lets it follow. Other states are held in statics.
+    """
 
     name: str
     unit: str
     rate: Expr
+    lasting: bool = False
 
     @property
     def symbol(self) -> Symbol:

@@ -46,7 +46,7 @@ def law_spec(law: Law, derived: Derived, digest: str) -> LawSpec:
         doc=law.doc,
         deformations=len(law.e),
         slips=len(law.s),
-        states=tuple(InternalSpec(state.name, state.unit) for state in law.states),
+        states=tuple(InternalSpec(state.name, state.unit, state.lasting) for state in law.states),
         parameters=_parameters(law.parameters),
         kernels=_kernels(derived),
         limit=_limit(law),

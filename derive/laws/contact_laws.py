@@ -155,7 +155,7 @@ def _bristle(k: int) -> Law:
         tau=tuple(c.N * (stiffness * z[i] + BRISTLE_DAMPING.symbol * rates[i]) for i in range(k)),
         energy=c.energy + bent,
         source=_SOURCE + "; Dahl 1968; Canudas de Wit et al. 1995, IEEE Trans. Autom. Control 40:419",
-        states=tuple(Internal(z[i].name, "m", rates[i]) for i in range(k)),
+        states=tuple(Internal(z[i].name, "m", rates[i], lasting=True) for i in range(k)),
         let=let.entries,
     )
 

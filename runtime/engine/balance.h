@@ -18,6 +18,7 @@ typedef struct {
     int sized;                            /* whether `size` is kept: it is found again after every tangent */
     double scale;                         /* size of the balancing forces */
     int implicit;                         /* whether internal states follow from a step, z = known + share dz/dt */
+    int at_rest;                          /* whether only lasting ones do */
     double share, *known;
 } flexel_balance;
 

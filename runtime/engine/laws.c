@@ -29,6 +29,12 @@ void flexel_laws(flexel_work *s)
     flexel_sum(&s->law_P_sums, s->law_out, s->law_P);
 }
 
+/* The share with which the states of the laws of a type follow; zero if they are held. */
+static double share_of(const flexel_work *s, const flexel_lag *lag, double share)
+{
+    return s->at_rest && !lag->lasting ? 0 : share;
+}
+
 /* A = 1 - share dzd/dz of a law, from the places of its derivatives. */
 static void condensing(const flexel_lag *lag, const int *at, const double *out, double share, double *A)
 {
@@ -54,21 +60,30 @@ static void correct_states(flexel_work *s, const flexel_lag *lag, const double *
     }
 }
 
+/* Whether the states of all laws are those that an implicit step asks for. */
+static int states_found(const flexel_work *s, const double *known, double share)
+{
+    double off = 0, z = 0, zd = 0;
+    for (size_t l = 0; l < s->nlags; l++) {
+        const flexel_lag *lag = s->lags + l;
+        const double own = share_of(s, lag, share);
+        for (size_t j = 0; j < lag->count * lag->nz; j++) {
+            const int i = lag->z[j];
+            off = fmax(off, fabs(s->z[i] - known[i] - own * s->zd[i]));
+            z = fmax(z, fabs(s->z[i]));
+            zd = fmax(zd, fabs(own * s->zd[i]));
+        }
+    }
+    return off <= 1e-13 * (z + zd);
+}
+
 void flexel_implicit_states(flexel_work *s, const double *known, double share)
 {
     flexel_laws(s);
-    for (size_t iteration = 0; iteration < MOST_ITERATIONS; iteration++) {
-        double off = 0, z = 0, zd = 0;
-        for (size_t i = 0; i < s->nz; i++) {
-            off = fmax(off, fabs(s->z[i] - known[i] - share * s->zd[i]));
-            z = fmax(z, fabs(s->z[i]));
-            zd = fmax(zd, fabs(share * s->zd[i]));
-        }
-        if (off <= 1e-13 * (z + zd))
-            return;
+    for (size_t iteration = 0; iteration < MOST_ITERATIONS && !states_found(s, known, share); iteration++) {
         run_laws(s, &s->law_tangent);
         for (size_t i = 0; i < s->nlags; i++)
-            correct_states(s, s->lags + i, known, share);
+            correct_states(s, s->lags + i, known, share_of(s, s->lags + i, share));
         flexel_laws(s);
     }
 }
@@ -104,7 +119,7 @@ void flexel_law_tangents(flexel_work *s, double share)
         return;
     run_laws(s, &s->law_tangent);
     for (size_t i = 0; i < s->nlags; i++)
-        condense(s->lags + i, s->law_tangent_out, share);
+        condense(s->lags + i, s->law_tangent_out, share_of(s, s->lags + i, share));
     flexel_sum(&s->S_sums, s->law_tangent_out, s->S);
     flexel_sum(&s->S_rate_sums, s->law_tangent_out, s->S_rate);
 }

@@ -30,6 +30,8 @@ class Lag:
     at : ndarray of int (laws, rows x columns)
         Places of all derivatives in the buffer of the tangents.
     z : ndarray of int (laws, nz)
+    lasting : bool
+        Whether the states change with displacements only.
     first : int
         Where their condensed derivatives start in the buffer.
     matrix, sides : int
@@ -41,6 +43,7 @@ class Lag:
     k: int
     at: Index
     z: Index
+    lasting: bool
     first: int
     matrix: int
     sides: int
@@ -92,7 +95,8 @@ class LawTables:
         matrix = first + b.size * (m + k) * (2 * m + k)
         sides = matrix + nz * nz
         self.width = sides + nz * max(2 * m + k, 1)
-        return Lag(b.size, m, k, at, b.places["z"], first, matrix, sides)
+        lasting = all(state.lasting for state in b.spec.states)
+        return Lag(b.size, m, k, at, b.places["z"], lasting, first, matrix, sides)
 
     def _collect(self) -> None:
         """Collect the sums of all outputs; laws are numbered batch by batch."""

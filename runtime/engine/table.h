@@ -79,10 +79,11 @@ typedef struct {
 
 /* Laws with internal states, whose tangent is condensed: m deformations, k slips, nz states. `direct` receives the derivatives
  * of sigma and tau by e, its rate and s, law by law; `at` gives the places of all entries in the lanes of the tangents,
- * block by block; `z` the indices of the states; `matrix` (nz by nz) and `sides` (nz by 2m + k, at least one column) are
+ * block by block; `z` the indices of the states; `lasting`: whether these change with displacements only; `matrix` (nz by nz) and `sides` (nz by 2m + k, at least one column) are
  * overwritten for each law. */
 typedef struct {
     size_t count, m, k, nz;
+    int lasting;
     const int *at, *z;
     double *direct, *matrix, *sides;
 } flexel_lag;
@@ -137,6 +138,7 @@ typedef struct {
     double *S, *S_rate;
     size_t nlags;
     const flexel_lag *lags;
+    int at_rest; /* whether only lasting states follow from an implicit step; the others are held */
     double *lag_values;
     /* tangent T over the free coordinates (nT entries and one for what is dropped); elements; pairs across elements */
     size_t nT;

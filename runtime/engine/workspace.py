@@ -171,7 +171,7 @@ class Workspace(Fields):
         lags = ffi.new("flexel_lag[]", max(len(law.lags), 1))
         for field, lag in zip(lags, law.lags, strict=False):
             field.count, field.m, field.k, field.nz = lag.count, lag.m, lag.k, lag.z.shape[1]
-            field.at, field.z = self.ints(lag.at), self.ints(lag.z)
+            field.at, field.z, field.lasting = self.ints(lag.at), self.ints(lag.z), lag.lasting
             field.direct, field.matrix, field.sides = (
                 self.pointer(self.outputs["law_tangent_out"], offsets)
                 for offsets in (lag.first, lag.matrix, lag.sides)

@@ -6,7 +6,7 @@ independent coordinates is needed, however large the deformation; the tangent is
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -19,11 +19,15 @@ from flexel.model.state import State, own_state
 from flexel.system import CoreSystem
 
 TOLERANCE, STALLED_TOLERANCE = 1e-12, 1e-9
+DURATION = 1e12  # of the displacement to an equilibrium [s]: so long that no damper carries anything
 MAX_STEP = 0.4  # largest change of a coordinate, in its natural scale, in one Newton step
 
 
 class Rest(Saddle):
-    """The equations of equilibrium of a system; kinematic coordinates and internal states of laws are held.
+    """The equations of equilibrium of a system; kinematic coordinates and most internal states of laws are held.
+
+    Internal states that change with displacements only (the deflection of bristles) follow the displacement from the
+    last known equilibrium, as in one implicit step that takes so long that nothing else depends on rates.
 
     Additional held coordinates or deformations are given as quantities.
     """
@@ -32,10 +36,19 @@ class Rest(Saddle):
         own_state(system.structure, start, "equilibrium")
         more = np.zeros(0, dtype=np.intp) if held is None else held
         super().__init__(system, more)
-        self.z = start.z
+        self.follows = any(lag.lasting for lag in system.evaluation.tables.law.lags)
+        self.leave(start)
         self.still = np.concatenate([self.roles.kinematic, more])
         self.held = start.values[self.still]
         self.hold_rows = np.concatenate([self.roles.holonomic, self.still])
+
+    def leave(self, known: State) -> None:
+        """Let the internal states follow the displacement from a known equilibrium, from their values there."""
+        self.z, self._from = known.z, known.x
+
+    def state(self, b: Balance) -> State:
+        """Return the state of rest at a balance."""
+        return super().state(replace(b, v=self.rest))
 
     @cached_property
     def pattern(self) -> SaddlePattern:
@@ -57,12 +70,27 @@ class Rest(Saddle):
 
     def equations(self, t: float, x: Array, mu: Array, unwrap_from: Array) -> Equations:
         """Evaluate the residual (r, gap) and its derivative by (x, mu) at time t."""
-        b = self.balance(t, x, self.rest, self.rest, mu, unwrap_from)
-        self.stiffness()
+        b = self._displaced(t, x, mu, unwrap_from) if self.follows else self._still(t, x, mu, unwrap_from)
         values = self.system.kinematics.values(b.e, x)
         gap = np.concatenate([b.gap, values[self.still] - self.held])
         largest = float(np.abs(self.free).max(initial=0.0))
         return Equations(b, np.concatenate([b.r, gap]), self.pattern.matrix(self.work), largest)
+
+    def _still(self, t: float, x: Array, mu: Array, unwrap_from: Array) -> Balance:
+        """Evaluate the balance and the stiffness with all internal states held."""
+        b = self.balance(t, x, self.rest, self.rest, mu, unwrap_from)
+        self.stiffness()
+        return b
+
+    def _displaced(self, t: float, x: Array, mu: Array, unwrap_from: Array) -> Balance:
+        """Evaluate the balance and the stiffness with the lasting internal states after the displacement."""
+        step, v = self.balancing.struct, (x - self._from) / DURATION
+        step.implicit, step.at_rest, step.share = 1, 1, DURATION
+        self.balancing.known[:] = self.z
+        b = self.balance(t, x, v, self.rest, mu, unwrap_from)
+        self.stiffness(rate=1 / DURATION, share=DURATION)
+        step.implicit = step.at_rest = 0
+        return b
 
     def size(self, q: Equations, residual: Array) -> float:
         """Return the size of a residual in natural scales."""
@@ -78,6 +106,16 @@ class Rest(Saddle):
         """Return the time in words if loads or prescribed motions depend on it; empty otherwise."""
         depends = len(self.system.loads.functions) or len(self.roles.motions)
         return f" at t = {t:g} s" if depends else ""
+
+    def unheld(self) -> str:
+        """Return advice if the friction of a contact at the last balance depends on the sliding velocity."""
+        s, law = self.structure, self.work.tables.law
+        rows = law.codes[np.flatnonzero(self.work.S_rate[:-1])] // max(s.m + s.k, 1)
+        sliding = [s.names[row].rpartition(".")[0] for row in rows if row >= s.m]
+        sliding = [name for name in sliding if f"{name}.gap" in s.index]
+        if not sliding:
+            return ""
+        return f"; the friction of '{sliding[0]}' depends on the sliding velocity and is zero at rest: bristle_stiffness holds"
 
     def rate(self, q: Equations) -> Array:
         """Return the derivative of the residual with respect to time at fixed x and mu."""

@@ -139,6 +139,7 @@ def _follow(problem: Rest, start: State, mu: Array, t0: float, t1: float) -> tup
         nonlocal last
         last = float(point.y[-1])
         states.append(problem.state(point.equations.rest.balance))
+        problem.leave(states[-1])
 
     level = np.append(np.zeros(curve.start.size), 1.0)
 

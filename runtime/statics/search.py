@@ -121,7 +121,7 @@ class Search:
         name = problem.structure.names[first + self._heaviest(motion)]
         raise DynamicsError(
             f"no equilibrium{problem.when(self.t)}: a force acts where nothing resists a motion of '{name}'; "
-            f"support it, or give hold=['{name}']"
+            f"support it, or give hold=['{name}']{problem.unheld()}"
         )
 
     def _heaviest(self, motion: Array) -> int:
