@@ -51,6 +51,9 @@ def equilibrium(
 ) -> State:
     """Find the state of rest in which all forces balance, with kinematic coordinates held.
 
+    Internal states of laws are held too, but for those that change with displacements only: the bristles of a contact
+    follow its slip since the start, in one step.
+
     Newton's method on the analytic tangent; if it fails, the residual forces at the start are removed
     incrementally, past limit points if necessary; if nothing resists a motion at the start, as of a pendulum drawn
     horizontal, it descends in potential energy.
@@ -99,6 +102,8 @@ def equilibrium(
 @in_one_thread
 def static_path(system: CoreSystem, start: State | None = None, *, t_end: float) -> Motion:
     """Compute equilibria as time, the load parameter, goes to `t_end`; limit points are passed by arc length.
+
+    The bristles of contacts follow the slip from one equilibrium to the next.
 
     Parameters
     ----------
