@@ -59,8 +59,8 @@ class Curve:
         breaks, pieces = array(self.breaks, "curve", "breaks"), _checked_pieces(self.pieces)
         if not 1 <= len(pieces) <= PIECES or breaks.shape != (len(pieces) - 1,):
             raise ModelError(
-                f"curve: {len(pieces)} pieces and {breaks.size} breaks; give 1 to {PIECES} pieces and a break between "
-                "neighbours"
+                f"curve: {len(pieces)} pieces and {breaks.size} breaks; give 1 to {PIECES} pieces, with a break "
+                "between adjacent ones"
             )
         if np.any(np.diff(breaks) <= 0):
             raise ModelError(f"curve: breaks {breaks.tolist()} are not increasing; sort them")
@@ -98,7 +98,7 @@ class Curve:
         Parameters
         ----------
         x, y : array_like (n,)
-            Increasing places and the forces there, 2 to `PIECES` - 1 of them.
+            Increasing arguments and the forces at them, 2 to `PIECES` - 1 of each.
         """
         from scipy.interpolate import PchipInterpolator
 

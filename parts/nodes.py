@@ -20,7 +20,7 @@ class Point(Part[Node]):
     Raises
     ------
     ModelError
-        Duplicate name, coordinates that are not two or three finite numbers.
+        A duplicate name, coordinates that are not two or three finite numbers.
     """
 
     name: str = entry("Name of the node; its coordinates are ``name.x``, ``name.y`` and ``name.z``.")
@@ -41,7 +41,7 @@ class Frame(Part[Node]):
 
     See Also
     --------
-    flexel.base.quaternions.turn : Euler parameters of a turn about an axis.
+    flexel.base.quaternions.turn : Euler parameters of a rotation about an axis.
     """
 
     name: str = entry("Name of the node; its coordinates are ``name.lambda0`` to ``name.lambda3``.")
@@ -78,13 +78,13 @@ class Angle(Part[Node]):
 class Warping(Part[Node]):
     """Add the warping of a section, for `beam`: its coordinate ``name.twist`` is the beam's twist per length.
 
-    Beams of the same section along one line share the node between them, where the warping is continuous.  Fixed
-    where a support keeps the section plane (a clamp), and free otherwise.
+    Beams of the same section along one line share the node between them, where the warping is continuous.  It is
+    fixed where a support keeps the section plane (a clamp), and free otherwise.
 
     Raises
     ------
     ModelError
-        Duplicate name.
+        A duplicate name.
     """
 
     name: str = entry("Name of the node; its coordinate is ``name.twist`` [rad/m].")

@@ -35,7 +35,7 @@ def test_names_are_checked_where_they_are_given() -> None:
     refused("inputs .*; name one or more, each once", inputs=[])
     refused("outputs .*; name one or more, each once", outputs=["A.x", "A.x"])
     refused(
-        "measures values and rates, and 'A.x''' depends on its own force; give it a period", inputs=["A.x''"]
+        "measures values and rates, but 'A.x''' depends on its own force; give it a period", inputs=["A.x''"]
     )
     refused("'A.x' is not a list of names", inputs="A.x")
     refused("a name is text without dots", name="a.b")
@@ -59,7 +59,7 @@ def test_sizes_and_settings() -> None:
     refused("state .* has shape", StateSpace(-1.0, [[1.0, 0]], 1.0, [[0, 0]]), state=[1, 2])
     refused("gains have no state", [[1.0, 2.0]], state=[0.0])
     refused("a function contains its reference", reference={"A.x": 1.0})
-    refused("the reference 'A.z' is not measured; it measures A.x, A.x'", [[1, 2]], reference={"A.z": 1.0})
+    refused("the reference 'A.z' is not an input; the inputs are A.x, A.x'", [[1, 2]], reference={"A.z": 1.0})
     refused("a continuous controller has no delay; give a period", delay=0.1)
     refused("delay -1 is negative", period=0.1, delay=-1.0)
     refused("period 0 is not positive", period=0.0)
