@@ -482,6 +482,6 @@ class Model:
         1 degree(s) of freedom left by the rigid conditions
         over-constrained: 'a.bend1' 1.00, 'b.bend1' -1.00
         release 'a.bend1'
-        in place of 'a.bend1' equally well: 'b.bend1'
+        alternatives to 'a.bend1': 'b.bend1'
         """
         return report_of_model(self.lowering)

@@ -208,7 +208,7 @@ class Polynomial(Constant):
         c = array(self.coefficients, "Polynomial", "coefficients")
         if c.ndim != 1 or not c.size:
             raise ModelError(
-                f"Polynomial: coefficients {self.coefficients!r}; give a list of one number or more"
+                f"Polynomial: coefficients {self.coefficients!r}; give a list of one or more numbers"
             )
 
     def rates(self, t: float) -> tuple[float, float, float]:

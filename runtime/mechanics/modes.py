@@ -124,7 +124,7 @@ def places_of(names: Sequence[str], dynamic: Sequence[str]) -> Index:
     """
     if not checked_names(names, "reduced") or len(set(names)) < len(names):
         raise LinearizationError(
-            f"reduced: {names!r} given; name one dynamic degree of freedom or more, each once"
+            f"reduced: {names!r} given; name one or more dynamic degrees of freedom, each once"
         )
     for name in names:
         if name not in dynamic:

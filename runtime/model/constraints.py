@@ -64,7 +64,7 @@ class ConstraintReport:
         if self.release:
             lines.append(f"release {quoted(self.release)}")
         lines += [
-            f"in place of '{name}' equally well: {quoted(declared(others, self.added)) or 'none'}"
+            f"alternatives to '{name}': {quoted(declared(others, self.added)) or 'none'}"
             for name, others in self.alternatives.items()
         ]
         return "\n".join(lines)

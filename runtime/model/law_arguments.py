@@ -30,7 +30,7 @@ def check_units(owner: str, spec: LawSpec, on: Sequence[str], units: Sequence[st
     for argument, name, unit in zip(spec.arguments, on, units, strict=False):
         if not argument.fits(unit):
             raise ModelError(
-                f"{owner}: '{name}' is in {unit}, which does not fit argument {argument}; give in this order"
+                f"{owner}: '{name}' is in {unit}, which does not fit argument {argument}; give them in this order"
                 f"{listed_arguments(spec)}"
             )
 

@@ -42,7 +42,7 @@ class SectionForces:
 
 @dataclass(frozen=True)
 class StressPoint:
-    """Stress at one place of a section [Pa]: largest normal stress and shear stress there, both as absolute values."""
+    """Stress at one point of a section [Pa]: largest normal and shear stress there, both as absolute values."""
 
     place: str
     normal: float

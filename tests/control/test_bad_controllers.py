@@ -101,12 +101,12 @@ def test_a_function_that_fails_is_named_with_the_time(period: float | None) -> N
     message = running(failing, period=period)
     assert "controller 'c' at t = 0.2" in message and "ZeroDivisionError: no brakes" in message
     assert "called with (t, y)" in message
-    assert "the function returned array([1., 2.]); it returns 1 finite number" in running(
+    assert "the function returned array([1., 2.]); it must return 1 finite number" in running(
         lambda t, y: np.array([1.0, 2.0]), period=period
     )
-    assert "returned nan; it returns 1 finite number" in running(lambda t, y: np.nan, period=period)
+    assert "returned nan; it must return 1 finite number" in running(lambda t, y: np.nan, period=period)
     assert "returned None" in running(lambda t, y: None, period=period)
-    assert "returns two values, (outputs, state)" in running(lambda t, y, x: 1.0, state=[0.0], period=period)
+    assert "it must return two values, (outputs, state)" in running(lambda t, y, x: 1.0, state=[0.0], period=period)
     assert "the function returned the state" in running(
         lambda t, y, x: (1.0, [1, 2]), state=[0.0], period=period
     )
