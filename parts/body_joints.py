@@ -49,7 +49,7 @@ class Revolute(Part[None]):
 
     name: str = entry("Name of the joint, and of the element with its deformations.")
     p: Given = entry('A body: a name given to `rigid_body`, ``"ground"``, or nodes (point, frame).')
-    q: Given = entry("The other body, likewise.")
+    q: Given = entry("The other body.")
     at: Vector = array_quantity(
         "m",
         "Position of the pin in global coordinates as drawn; the bodies' reference points may be elsewhere.",

@@ -260,7 +260,7 @@ def _check_names(owner: str, given: Mapping[str, Any], known: Mapping[str, Any],
             raise ModelError(f"{owner}: {unknown(name, known, what)}")
     if missing := [name for name in known if name not in given]:
         says = [f"{name}, {known[name]}" if isinstance(known[name], str) else name for name in missing]
-        raise ModelError(f"{owner}: no value of {'; '.join(says)}")
+        raise ModelError(f"{owner}: no value for {'; '.join(says)}")
 
 
 def _numbers(given: ArrayLike, owner: str, what: str, names: int | Sequence[str]) -> Array:

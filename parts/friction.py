@@ -62,7 +62,7 @@ class Limits(Part[None]):
     high: float = quantity("m or rad", "any", "Deformation at which the upper stop is touched.")
     stiffness: float = quantity("N/m or N m/rad", "positive", "Stiffness of the stops.")
     damping: float = quantity(
-        "s/m or s/rad", "not negative", "Loss relative to the elastic force, for unit rate.", default=0.0
+        "s/m or s/rad", "not negative", "Dissipative force relative to the elastic force, at unit rate.", default=0.0
     )
 
     @property
@@ -104,7 +104,7 @@ class Clearance(Part[None]):
     stiffness: float = quantity("N/m", "positive", "Stiffness of the contact, force per penetration.")
     _: KW_ONLY
     damping: float = quantity(
-        "s/m", "not negative", "Loss relative to the elastic force, for unit rate.", default=0.0
+        "s/m", "not negative", "Dissipative force relative to the elastic force, at unit rate.", default=0.0
     )
     friction_radius: float = quantity(
         "m",

@@ -238,7 +238,7 @@ def _two_axes(to: Lowering, owner: str, p: str, q: str) -> tuple[_Axis, _Axis]:
     """Return two joints as drawn, held by the same body."""
     first, second = (_axis_of(to, owner, joint) for joint in (p, q))
     if p == q:
-        raise ModelError(f"{owner}: both its joints are '{p}'; name two")
+        raise ModelError(f"{owner}: both its joints are '{p}'; name two different ones")
     if first.holder != second.holder:
         raise ModelError(
             f"{owner}: '{p}' starts at '{first.holder}' and '{q}' at '{second.holder}'; make both with the "

@@ -1,4 +1,4 @@
-"""The position of a joint: both bodies, the point of each there, and what joints of rigid bodies have in common."""
+"""The position of a joint: both bodies, the point of each there, and the common parts of joints of rigid bodies."""
 
 from __future__ import annotations
 

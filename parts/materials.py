@@ -89,7 +89,7 @@ def material_of(material: Material | str, owner: str) -> Material:
 
 @dataclass(frozen=True)
 class Profile:
-    """A section of a material: what a beam is made of."""
+    """A section of a material, of which a beam is made."""
 
     section: Section
     material: Material

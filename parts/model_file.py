@@ -79,7 +79,7 @@ def read_parts(path: Path) -> tuple[list[float], list[Part[Any]]]:
     except FlexelError:
         raise
     except (LookupError, TypeError, ValueError, AttributeError) as error:
-        raise ModelError(f"{owner}: it is malformed ({error!r:.100}); take a copy of the file") from error
+        raise ModelError(f"{owner}: it is malformed ({error!r:.100}); use a backup copy of the file") from error
 
 
 def _written(part: Part[Any]) -> dict[str, Any]:
@@ -142,7 +142,7 @@ def _called(kind: Any, arguments: Mapping[str, Any], owner: str) -> Any:
     except FlexelError as error:
         raise type(error)(f"{owner}: {error}") from error
     except TypeError as error:
-        raise ModelError(f"{owner}: {error}; take a copy of the file") from error
+        raise ModelError(f"{owner}: {error}; use a backup copy of the file") from error
 
 
 def _value(plain: Any, owner: str) -> Any:

@@ -25,7 +25,7 @@ class Point(Part[Node]):
 
     name: str = entry("Name of the node; its coordinates are ``name.x``, ``name.y`` and ``name.z``.")
     position: Vector = array_quantity("m", "Position as drawn []: (x, y, z), or (x, y) in a planar model.")
-    fixed: bool = entry("Hold it where it is drawn.", default=False)
+    fixed: bool = entry("Hold it as drawn.", default=False)
 
     def lower(self, to: Lowering) -> Node:
         """Add the node."""
@@ -48,7 +48,7 @@ class Frame(Part[Node]):
     orientation: Vector = array_quantity(
         "-", "Euler parameters (λ0, λ1, λ2, λ3) as drawn.", default=(1.0, 0.0, 0.0, 0.0)
     )
-    fixed: bool = entry("Hold it as it is drawn.", default=False)
+    fixed: bool = entry("Hold it as drawn.", default=False)
 
     def lower(self, to: Lowering) -> Node:
         """Add the node."""
@@ -67,7 +67,7 @@ class Angle(Part[Node]):
 
     name: str = entry("Name of the node; its coordinate is ``name.angle``.")
     value: float = quantity("rad", "any", "Angle as drawn.", default=0.0)
-    fixed: bool = entry("Hold it as it is drawn.", default=False)
+    fixed: bool = entry("Hold it as drawn.", default=False)
 
     def lower(self, to: Lowering) -> Node:
         """Add the node."""

@@ -73,7 +73,7 @@ class RigidBodyPart(Part[RigidBody]):
     points: Mapping[str, Vector] | None = array_quantity(
         "m", "Further points of the body, by name, in global coordinates as drawn.", default=None
     )
-    fixed: bool = entry("Hold the body where it is drawn.", default=False)
+    fixed: bool = entry("Hold the body as drawn.", default=False)
 
     def lower(self, to: Lowering) -> RigidBody:
         """Add the nodes, the mass and the points, and register the body."""

@@ -78,7 +78,7 @@ class UnstableWarning(UserWarning):
 
 
 class RangeWarning(UserWarning):
-    """A state is beyond the data of a law, or beyond the deformations for which an element is accurate; by name."""
+    """A state is beyond the data of a law, or beyond the deformations for which an element is accurate; names it."""
 
 
 class StiffWarning(UserWarning):

@@ -1,4 +1,4 @@
-"""What the fields of parts, sections and materials mean: unit, sign, and one line of text."""
+"""Meaning of the fields of parts, sections and materials: unit, sign, and one line of text."""
 
 from __future__ import annotations
 

@@ -59,7 +59,7 @@ class FrequencyResponse:
 
     @property
     def phase(self) -> Array:
-        """Lead of the output [rad], without jumps of 2π (nf, outputs, inputs)."""
+        """Phase lead of the output [rad], without jumps of 2π (nf, outputs, inputs)."""
         return np.asarray(np.unwrap(np.angle(self.values), axis=0))
 
 

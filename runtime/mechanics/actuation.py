@@ -1,4 +1,4 @@
-"""Messages on prescribed quantities that actuators move, and the analyses that have no such motions."""
+"""Messages on prescribed quantities that actuators move, and on analyses that do not allow such motions."""
 
 from __future__ import annotations
 

@@ -41,7 +41,7 @@ class Mode:
     HEAD: ClassVar[tuple[str, ...]] = ("mode", "eigenvalue [1/s]", "frequency [Hz]", "damping")
 
     def row(self) -> tuple[str, ...]:
-        """Return its line in a table of modes."""
+        """Return its row in a table of modes."""
         return self.name, self._eigenvalue, f"{self.hertz:.5g}", self._damping
 
     @prints

@@ -1,4 +1,4 @@
-"""Laws that depend on time: analyses of a motion that repeats itself, or does not change, must know of them."""
+"""Laws that depend on time: analyses of periodic or steady motions must account for them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where the forces act that move prescribed quantities: in the quantities themselves, or in actuators elsewhere."""
+"""Where the forces that move prescribed quantities act: in the quantities themselves, or in actuators elsewhere."""
 
 from __future__ import annotations
 

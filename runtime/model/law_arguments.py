@@ -1,4 +1,4 @@
-"""Checks of what a law acts on and of its numbers, before it becomes part of a model."""
+"""Checks of the arguments and numbers of a law, before it becomes part of a model."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What the core knows of the section and the material of a beam: forces, stresses, and the interface of a profile."""
+"""Section and material of a beam as the core sees them: forces, stresses, and the interface of a profile."""
 
 # ruff: noqa: N802 (the letters of mechanics: A, Iy, Iz, J)
 
