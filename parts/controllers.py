@@ -170,7 +170,9 @@ def _wanted(owner: str, inputs: Sequence[str], reference: Any) -> Array | None:
         return None
     given = numbers(reference, owner, "reference")
     for other in given.keys() - set(inputs):
-        raise ModelError(f"{owner}: the reference '{other}' is not an input; the inputs are {', '.join(inputs)}")
+        raise ModelError(
+            f"{owner}: the reference '{other}' is not an input; the inputs are {', '.join(inputs)}"
+        )
     return np.array([given.get(name, 0.0) for name in inputs])
 
 

@@ -38,7 +38,7 @@ class Material:
         positive(self.E, "Material", "E")
         not_negative(self.rho, "Material", "rho")
         if (self.nu is None) == (self.G is None):
-            raise ModelError("Material: give either nu or G, the other follows from E = 2 G (1 + nu)")
+            raise ModelError("Material: give either nu or G; the other follows from E = 2 G (1 + nu)")
         if self.strength is not None:
             positive(self.strength, "Material", "strength")
         if self.G is not None:

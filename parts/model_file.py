@@ -79,7 +79,9 @@ def read_parts(path: Path) -> tuple[list[float], list[Part[Any]]]:
     except FlexelError:
         raise
     except (LookupError, TypeError, ValueError, AttributeError) as error:
-        raise ModelError(f"{owner}: it is malformed ({error!r:.100}); use a backup copy of the file") from error
+        raise ModelError(
+            f"{owner}: it is malformed ({error!r:.100}); use a backup copy of the file"
+        ) from error
 
 
 def _written(part: Part[Any]) -> dict[str, Any]:

@@ -32,7 +32,7 @@ class Rope(CableLine):
     tension0 : float
         Tension in the initial configuration [N].
     contacts : dict of str to list of ContactPoint
-        For each sheave or drum.
+        Contact points for each sheave or drum.
     """
 
     radius: float

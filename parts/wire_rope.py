@@ -29,7 +29,7 @@ class WireRope:
 
     Notes
     -----
-    Bending: wires without friction between them, I = A d²/16 with the wire's diameter d, the lower bound.  A
+    Bending: wires without friction between them, I = A d²/16 with the wire's diameter d, a lower bound.  A
     tightly stretched rope is up to about ten times stiffer; give EI to `Model.cable` where that matters.
     """
 

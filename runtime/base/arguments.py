@@ -203,7 +203,7 @@ def span(xp: Array, xq: Array, owner: str) -> tuple[Array, float]:
     length = float(np.linalg.norm(line))
     if length < 1e-12 * max(1.0, float(np.max(np.abs(xp)))):
         raise ModelError(
-            f"{owner}: its two points coincide at {tuple(xp.tolist())}; the element has no length, move one"
+            f"{owner}: its two points coincide at {tuple(xp.tolist())}, so the element has no length; move one"
         )
     return line / length, length
 

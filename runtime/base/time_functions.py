@@ -127,7 +127,7 @@ def _finite(values: tuple[float, float, float], owner: str, t: float) -> tuple[f
     if math.isfinite(values[0]) and math.isfinite(values[1]) and math.isfinite(values[2]):
         return values
     raise ModelError(
-        f"{owner}: value, rate and acceleration at t = {t:g} s are {values}; they must be finite, correct the function"
+        f"{owner}: value, rate and acceleration at t = {t:g} s are {values}, but must be finite; correct the function"
     )
 
 

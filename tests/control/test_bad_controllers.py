@@ -106,7 +106,9 @@ def test_a_function_that_fails_is_named_with_the_time(period: float | None) -> N
     )
     assert "returned nan; it must return 1 finite number" in running(lambda t, y: np.nan, period=period)
     assert "returned None" in running(lambda t, y: None, period=period)
-    assert "it must return two values, (outputs, state)" in running(lambda t, y, x: 1.0, state=[0.0], period=period)
+    assert "it must return two values, (outputs, state)" in running(
+        lambda t, y, x: 1.0, state=[0.0], period=period
+    )
     assert "the function returned the state" in running(
         lambda t, y, x: (1.0, [1, 2]), state=[0.0], period=period
     )
