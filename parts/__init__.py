@@ -1,6 +1,6 @@
-"""Parts of mechanisms that `Model` can declare, one class a kind; and the tools for writing user-defined parts.
+"""Parts of mechanisms that `Model` can declare, one class per kind, and the tools for writing user-defined parts.
 
-Names are imported on first use, so that modules of parts can be imported one by one.
+Names are imported on first use, so that modules of parts can be imported individually.
 """
 # ruff: noqa: F401 (the table below, imported, for static tools)
 

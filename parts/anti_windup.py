@@ -1,4 +1,4 @@
-"""Anti-windup as the user gives it: a time constant, gains, or clamping."""
+"""Anti-windup as specified by the user: a time constant, gains, or clamping."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def _clamping(owner: str, given: str, rule: Rule, period: float | None) -> AntiW
         )
     if period is None:
         raise ModelError(
-            f"{owner} '{CLAMP}' is for sampled controllers; give a continuous one a time constant [s], or gains"
+            f"{owner} '{CLAMP}' is for sampled controllers; for a continuous one give a time constant [s] or gains"
         )
     if not isinstance(rule, LinearRule):
         return Holding()
@@ -61,7 +61,7 @@ def _back_calculation(owner: str, time: float, rule: Rule, period: float | None)
     """Let the integral parts of the outputs track the limited outputs with a time constant."""
     if not isinstance(rule, LinearRule):
         raise ModelError(
-            f"{owner} {time:g}: a time constant is for linear systems; give a function gains (states, outputs)"
+            f"{owner} {time:g}: a time constant is for linear systems; for a function give gains (states, outputs)"
         )
     if period is not None and time < period * (1 - SAME):
         raise ModelError(

@@ -34,8 +34,8 @@ class Beam(Part[None]):
     Raises
     ------
     ModelError
-        Points that coincide, a stiffness that is not positive, a beam neither rigid nor flexible, logarithmic
-        rotations of a beam that is rigid, of first order or warps.
+        Coincident points, a stiffness that is not positive, a beam that is neither rigid nor flexible, logarithmic
+        rotations of a beam that is rigid, is first-order or has warping.
 
     Examples
     --------
@@ -78,25 +78,25 @@ class Beam(Part[None]):
         default=None,
     )
     GAz: float | None = quantity(
-        "N", "positive", "Shear stiffness k G A [] for deflection in z, likewise.", default=None
+        "N", "positive", "Shear stiffness k G A [] for deflection in z.", default=None
     )
     EIw: float | None = quantity(
         "N m⁴",
         "positive",
-        "Warping stiffness [], with ``warping=``; a twist then shortens the beam if EA, EIy, EIz are given too.",
+        "Warping stiffness [], with ``warping=``; twist then shortens the beam if EA, EIy and EIz are also given.",
         default=None,
     )
     section: Section | None = entry(
-        "Cross-section, with a material: they give all stiffnesses, shear included, the mass and the rotary inertia, "
-        "instead of the numbers; `State.stress` finds the stresses in it.",
+        "Cross-section, with a material: they determine all stiffnesses, including shear, the mass and the rotary "
+        "inertia, and replace the numbers; `State.stress` computes the stresses in it.",
         default=None,
     )
     material: Material | str | None = entry(
         'Material of the section, or the name of one, such as "steel".', default=None, named=MATERIALS.get
     )
     flexible: Sequence[str] | None = entry(
-        "With a section: the modes that deform, of elongation, torsion, bend1 ... bend4; all by default; warping "
-        "deforms with torsion.",
+        "With a section: the flexible modes out of elongation, torsion, bend1 ... bend4; all by default; warping is "
+        "flexible if torsion is.",
         default=None,
     )
     initial_strain: float = quantity("-", "any", "Elongation per length of the unstressed beam.", default=0.0)
@@ -125,19 +125,19 @@ class Beam(Part[None]):
         default=True,
     )
     warping: bool | Sequence[Node | str] = entry(
-        "Sections warp (non-uniform torsion, see `warping`): the warping nodes at p and q, or True for new "
+        "Warping of the sections (non-uniform torsion, see `warping`): the warping nodes at p and q, or True for new "
         "free ones, ``<name>_warping_p`` and ``<name>_warping_q``.",
         default=False,
     )
     twist_shortens: bool = entry(
-        "With ``warping=``: a twist shortens the beam, so that a tension makes it stiffer in torsion; without, as in "
-        "SPACAR's BEAMW.",
+        "With ``warping=``: twist shortens the beam, so that tension makes it stiffer in torsion; False as in SPACAR's "
+        "BEAMW.",
         default=True,
     )
     rotations: str = entry(
-        '"classic": a bending deformation is the sine of an angle, as in SPACAR.  "logarithmic": torsion and bending '
-        "are linear in the rotation vector between the ends (Simo 1985, Crisfield 1990), which may be any below half "
-        "a turn; with shear stiffness only this converges to Reissner's rod in strong bending.",
+        '"classic": bending deformations are sines of angles, as in SPACAR.  "logarithmic": torsion and bending '
+        "are linear in the rotation vector between the ends (Simo 1985, Crisfield 1990), which may be anything below "
+        "half a turn; with shear stiffness, only this option converges to Reissner's rod in strong bending.",
         default="classic",
     )
 
@@ -186,7 +186,7 @@ def _profile(beam: Beam) -> Profile | None:
     stated += ["warping_inertia_per_length"] if beam.warping_inertia_per_length else []
     if stated:
         raise ModelError(
-            f"{beam.owner}: section and material give {', '.join(stated)} already; drop these, or drop the section"
+            f"{beam.owner}: section and material already give {', '.join(stated)}; drop these or the section"
         )
     return profile_of(beam.section, beam.material, beam.owner)
 
@@ -219,7 +219,7 @@ def _section_stiffness(
     for a, b in (("bend1", "bend2"), ("bend3", "bend4")):
         if (a in chosen) != (b in chosen):
             raise ModelError(
-                f"{owner}: flexible has only one of {a} and {b}; both bend in one plane, name both"
+                f"{owner}: flexible has only one of {a} and {b}, which bend in one plane; name both"
             )
     wanted = {keys[mode] for mode in chosen}
     wanted |= {"GAy"} if "EIz" in wanted else set()

@@ -98,6 +98,6 @@ def inertia_tensor(value: Any, owner: str) -> Array:
     if w[2] > (w[0] + w[1]) * (1 + 1e-12):
         raise ModelError(
             f"{owner}: principal moments {w} violate the triangle inequality (none may exceed the sum of the "
-            "others); this inertia is physically impossible, check the numbers"
+            "others); this inertia is physically impossible: check the numbers"
         )
     return np.array([J[0, 0], J[1, 1], J[2, 2], J[0, 1], J[0, 2], J[1, 2]])

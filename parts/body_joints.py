@@ -1,6 +1,6 @@
 """Joints of two rigid bodies at a drawn position.
 
-Every joint is a composition of elements: points of both bodies where the joint is, and an element between them.
+Every joint is composed of elements: a point of each body at the joint, and an element between them.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ class Revolute(Part[None]):
 
     name: str = entry("Name of the joint, and of the element with its deformations.")
     p: Given = entry('A body: a name given to `rigid_body`, ``"ground"``, or nodes (point, frame).')
-    q: Given = entry("The other body, likewise.")
+    q: Given = entry("The other body.")
     at: Vector = array_quantity(
         "m",
         "Position of the pin in global coordinates as drawn; the bodies' reference points may be elsewhere.",
@@ -90,7 +90,7 @@ class Prismatic(Part[None]):
     axis: Vector = array_quantity("-", "Direction of the guide in global axes as drawn.")
     at: Vector | None = array_quantity(
         "m",
-        "Where its forces and moments are measured, in global coordinates as drawn; by default the point of `q`.",
+        "Where its forces and moments are measured, in global coordinates as drawn; the point of `q` by default.",
         default=None,
     )
     _: KW_ONLY
@@ -121,12 +121,12 @@ class Cylindrical(Part[None]):
     name: str = entry("Name of the joint, and of the element with its deformations.")
     p: Given = entry("A body, as in `revolute`; in space only.")
     q: Given = entry("The other body.")
-    at: Vector = array_quantity("m", "A place on the axis in global coordinates as drawn.")
+    at: Vector = array_quantity("m", "A point on the axis, in global coordinates as drawn.")
     axis: Vector = array_quantity("-", "Direction of the axis in global axes as drawn.")
 
     def lower(self, to: Lowering) -> None:
         """Add a bearing that slides."""
-        remedy = "a planar one can only slide: use m.prismatic"
+        remedy = "a planar body can only slide: use m.prismatic"
         place = place_in_space(to, kind_of(type(self)), self.name, self.p, self.q, self.at, remedy)
         add_pin(to, self.name, place, self.axis)
         free(to, self.name, "axial")
@@ -134,7 +134,7 @@ class Cylindrical(Part[None]):
 
 @part
 class Screw(Part[None]):
-    """Let a body turn about an axis of another and move along it in proportion, over any number of turns.
+    """Let a body turn about an axis of another and move along it in proportion to the angle, over any number of turns.
 
     Notes
     -----
@@ -144,7 +144,7 @@ class Screw(Part[None]):
     name: str = entry("Name of the joint, and of the element with its deformations.")
     p: Given = entry("A body, as in `revolute`; in space only.")
     q: Given = entry("The other body.")
-    at: Vector = array_quantity("m", "A place on the axis in global coordinates as drawn.")
+    at: Vector = array_quantity("m", "A point on the axis, in global coordinates as drawn.")
     axis: Vector = array_quantity("-", "Direction of the axis in global axes as drawn.")
     _: KW_ONLY
     pitch: float = quantity("m", "any", "Travel per turn; negative for a left-handed thread.")
@@ -153,7 +153,7 @@ class Screw(Part[None]):
         """Add a bearing that slides, and the relation of its slide and its angle."""
         if not self.pitch:
             raise ModelError(f"{self.owner}: pitch 0 lets the nut turn without travel; use m.revolute")
-        remedy = "relate a slide and a turn by m.relation"
+        remedy = "relate a displacement to an angle with m.relation"
         place = place_in_space(to, kind_of(type(self)), self.name, self.p, self.q, self.at, remedy)
         add_pin(to, self.name, place, self.axis)
         free(to, self.name, "axial")
@@ -165,7 +165,7 @@ class Screw(Part[None]):
 class PlanarJoint(Part[None]):
     """Let a body slide and turn on a plane of another.
 
-    Free are ``name.radial1`` and ``name.radial2``, displacements in the plane, and ``name.angle`` about its normal.
+    The displacements ``name.radial1`` and ``name.radial2`` in the plane and ``name.angle`` about its normal are free.
     """
 
     name: str = entry("Name of the joint, and of the element with its deformations.")
@@ -174,13 +174,13 @@ class PlanarJoint(Part[None]):
     normal: Vector = array_quantity("-", "Normal of the plane, in global axes as drawn; it turns with p.")
     at: Vector | None = array_quantity(
         "m",
-        "A place in the plane, in global coordinates as drawn; by default the point of `q`.",
+        "A point in the plane, in global coordinates as drawn; by default the point of `q`.",
         default=None,
     )
 
     def lower(self, to: Lowering) -> None:
         """Add a bearing about the normal that slides across it."""
-        remedy = "planar bodies are free of one another without a joint"
+        remedy = "planar bodies move freely without a joint"
         place = place_in_space(to, kind_of(type(self)), self.name, self.p, self.q, self.at, remedy)
         add_pin(to, self.name, place, self.normal)
         free(to, self.name, "radial1", "radial2")
@@ -190,8 +190,8 @@ class PlanarJoint(Part[None]):
 class Spherical(Part[None]):
     """Join two bodies by a ball joint: three rotations are free.
 
-    Its forces are the stresses of ``name.along``, ``across1`` and ``across2``, in the axes of p.  The rotations are
-    not measured by angles; use `cardan_chain` where angles are needed.
+    Its forces are the stresses of ``name.along``, ``across1`` and ``across2``, in the axes of p.  The rotations
+    are not measured as angles; use `cardan_chain` if angles are needed.
     """
 
     name: str = entry("Name of the joint, and of the element with its deformations.")
@@ -211,7 +211,7 @@ class Spherical(Part[None]):
 
 @part
 class Universal(Part[None]):
-    """Join two bodies by crossed pins; ``name_1.angle`` about that in p, ``name_2.angle`` about that in q are free."""
+    """Join two bodies by crossed pins; ``name_1.angle`` (pin in p) and ``name_2.angle`` (pin in q) are free."""
 
     name: str = entry("Name of the joint, and of the element that holds the points together.")
     p: Given = entry("A body, as in `revolute`; in space only.")
@@ -248,7 +248,7 @@ class Weld(Part[None]):
     q: Given = entry("The other body.")
     at: Vector | None = array_quantity(
         "m",
-        "Where its forces and moments are measured, in global coordinates as drawn; by default the point of `q`.",
+        "Where its forces and moments are measured, in global coordinates as drawn; the point of `q` by default.",
         default=None,
     )
 

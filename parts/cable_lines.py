@@ -60,7 +60,7 @@ class CableLinePart(Part[CableLine]):
     Raises
     ------
     ModelError
-        A path without length, places that do not ascend, ends that are not on the path.
+        A path of zero length, positions that do not increase, ends that are not on the path.
 
     Examples
     --------
@@ -71,8 +71,8 @@ class CableLinePart(Part[CableLine]):
     name: str = entry("Names of elements and nodes start with it.")
     path: Path = array_quantity(
         "m",
-        "Points [], (3,) or (2,): two are a straight line, more a smooth curve through them.  A callable gives the "
-        "place for a parameter from 0 to 1.",
+        "Points [], (3,) or (2,): two define a straight line, more a smooth curve through them.  A callable returns "
+        "the position for a parameter from 0 to 1.",
     )
     n: int | None = entry("Number of elements, of equal length.", default=None)
     _: KW_ONLY
@@ -84,7 +84,7 @@ class CableLinePart(Part[CableLine]):
     )
     at: Sequence[float] | Array | None = array_quantity(
         "-",
-        "Instead of n: undeformed arc length of the nodes over the length, from 0 to 1, for example to refine near a "
+        "Instead of n: undeformed arc length of the nodes over the total, from 0 to 1, for example to refine near a "
         "sheave.",
         default=None,
     )
@@ -107,8 +107,8 @@ class CableLinePart(Part[CableLine]):
     bending_damping: float = quantity(
         "s", "not negative", "Damping of bending [], as for `cable`.", default=0.0
     )
-    element: CompiledElement | None = entry("A cable page of your own, as for `cable`.", default=None)
-    law: CompiledLaw | None = entry("An elastic law of your own, as for `cable`.", default=None)
+    element: CompiledElement | None = entry("A user-defined cable page, as for `cable`.", default=None)
+    law: CompiledLaw | None = entry("A user-defined elastic law, as for `cable`.", default=None)
     parameters: Mapping[str, Any] | None = array_quantity(
         "",
         "Values of further parameters of these pages, as for `cable`.",

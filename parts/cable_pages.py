@@ -1,4 +1,4 @@
-"""The pages of a cable: its element and its elastic law, built in or a user's, and the numbers that they take."""
+"""The pages of a cable: its element and its elastic law, built in or user-defined, and their parameters."""
 
 from __future__ import annotations
 
@@ -56,14 +56,14 @@ class CablePages:
         for name in further:
             if name in ARGUMENTS:
                 raise ModelError(
-                    f"{owner}: '{name}' in parameters is an argument of its own; give {ARGUMENTS[name]}=…"
+                    f"{owner}: '{name}' in parameters has a separate argument; give {ARGUMENTS[name]}=…"
                 )
             if name not in sizes:
                 raise ModelError(f"{owner}: {unknown(name, sizes, 'parameter')}")
         for name in given.keys() - sizes.keys() - OPTIONAL:
             if given[name]:
                 raise ModelError(
-                    f"{owner}: {ARGUMENTS[name]} is given, and neither page has a parameter '{name}': element "
+                    f"{owner}: {ARGUMENTS[name]} is given, but neither page has a parameter '{name}': element "
                     f"'{self.element.name}', law '{self.law.name}'; leave it out"
                 )
         values = {key: value for key, value in given.items() if value is not None} | dict(further)
@@ -84,7 +84,7 @@ def cable_pages(owner: str, element: Any, law: Any, planar: bool) -> CablePages:
     Raises
     ------
     ModelError
-        A page that cannot be that of a cable: the message says what to change.
+        A page that does not describe a cable: the message says what to change.
     """
     own = ELEMENTS["planar_cable" if planar else "cable"]
     spec, element_code = own, None
@@ -97,8 +97,8 @@ def cable_pages(owner: str, element: Any, law: Any, planar: bool) -> CablePages:
         return CablePages(spec, element_code, law_spec, law_code)
     if [(d.name, d.unit) for d in spec.deformations] != [(d.name, d.unit) for d in own.deformations]:
         raise ModelError(
-            f"{owner}: element '{spec.name}' has other deformations than the built-in cable, whose law therefore does "
-            "not fit; give its own, law=fx.compile_law(…)"
+            f"{owner}: the deformations of element '{spec.name}' differ from those of the built-in cable, so its law "
+            "does not apply; give a suitable one, law=fx.compile_law(…)"
         )
     return CablePages(spec, element_code, LAWS[f"{own.name}_stiffness"], None)
 
@@ -120,10 +120,10 @@ def _check_element(owner: str, spec: ElementSpec, own: ElementSpec) -> None:
     page, ends = f"{owner}: element '{spec.name}'", _words([node.kind for node in own.nodes])
     if [node.kind for node in spec.nodes] != [node.kind for node in own.nodes]:
         found = _words([node.kind for node in spec.nodes])
-        raise ModelError(f"{page} has the nodes {found}; declare those of a cable here: {ends}")
+        raise ModelError(f"{page} has the nodes {found}; declare those of a cable: {ends}")
     if spec.family != own.family:
         raise ModelError(
-            f"{page} is not declared as a cable; add family='cable' to its page, so that contact and results find it"
+            f"{page} is not declared as a cable; add family='cable' to its page, so that contacts and results find it"
         )
     if "l0" not in {parameter.name for parameter in spec.parameters}:
         raise ModelError(f"{page} has no parameter 'l0', its undeformed length; add it to its page")
@@ -136,11 +136,11 @@ def _check_element(owner: str, spec: ElementSpec, own: ElementSpec) -> None:
         if name not in found_outputs:
             unit = next(output.unit for output in own.outputs if output.name == name)
             raise ModelError(
-                f"{page} reports no {name}; add Output('{name}', '{unit}', …) to its page, one value per place"
+                f"{page} reports no {name}; add Output('{name}', '{unit}', …) to its page, one value per point"
             )
     if len({found_outputs[name].shape for name in REPORTED}) > 1:
         raise ModelError(
-            f"{page} reports {', '.join(REPORTED)} at different numbers of places; report them at the same ones"
+            f"{page} reports {', '.join(REPORTED)} at different numbers of points; report them at the same ones"
         )
 
 

@@ -27,19 +27,19 @@ if TYPE_CHECKING:
 
 @part
 class Slope(Part[Node]):
-    """Add a slope node: derivative of a cable's position by its undeformed arc length.
+    """Add a slope node: the derivative of a cable's position with respect to its undeformed arc length.
 
     Raises
     ------
     ModelError
-        Duplicate name, a direction without length.
+        A duplicate name, a direction of zero length.
     """
 
     name: str = entry("Name of the node; its coordinates are ``name.x``, ``name.y`` and ``name.z``.")
     direction: Vector = array_quantity(
         "-", "Direction along the cable, of any length: (x, y, z), or (x, y) in a planar model."
     )
-    fixed: bool = entry("Hold direction and stretch; `clamp` holds the direction alone.", default=False)
+    fixed: bool = entry("Hold direction and stretch; `clamp` holds only the direction.", default=False)
     _: KW_ONLY
     stretch: float = quantity(
         "-", "positive", "Length of the slope as drawn: one for an unstretched cable.", default=1.0
@@ -66,7 +66,7 @@ class Cable(Part[None]):
     Raises
     ------
     ModelError
-        Points that coincide, a stiffness that is missing or negative.
+        Coincident points, a stiffness that is missing or negative.
 
     See Also
     --------
@@ -86,15 +86,15 @@ class Cable(Part[None]):
     EI: float | None = quantity(
         "N m²",
         "not negative",
-        "Stiffness in bending; it may be zero where both ends of a rope are held.",
+        "Stiffness in bending; it may be zero if both ends of a rope are held.",
         default=None,
     )
     mass_per_length: float | None = quantity(
         "kg/m", "not negative", "Mass per length; by default the section's, or zero.", default=None
     )
     section: Any = entry(
-        "Cross-section, with a material: they give EA, EI and the mass instead of the numbers; an explicit EI takes "
-        "precedence.",
+        "Cross-section, with a material: they determine EA, EI and the mass and replace the numbers; an explicit EI "
+        "takes precedence.",
         default=None,
         form="Section, optional",
     )
@@ -116,19 +116,19 @@ class Cable(Part[None]):
         default=0.0,
     )
     element: CompiledElement | None = entry(
-        "A cable page of your own in place of the built-in one: what `flexel.compile_element` returned for an element "
+        "A user-defined cable page instead of the built-in one: the result of `flexel.compile_element` for an element "
         "of the family cable, with the parameter l0 and the outputs arc_length, tension, strain and curvature.",
         default=None,
     )
     law: CompiledLaw | None = entry(
-        "An elastic law of your own in place of the built-in one: what `flexel.compile_law` returned for a law of all "
+        "A user-defined elastic law instead of the built-in one: the result of `flexel.compile_law` for a law of all "
         "deformations of the element, in their order.",
         default=None,
     )
     parameters: Mapping[str, Any] | None = array_quantity(
         "",
-        "Values of further parameters of these pages, by name; l0, rhoA, EA, EI, damping and bending_damping are "
-        "those of the other arguments.",
+        "Values of further parameters of these pages, by name; l0, rhoA, EA, EI, damping and bending_damping have "
+        "separate arguments.",
         default=None,
         form="mapping of str to array_like, optional",
     )
@@ -169,7 +169,7 @@ class Cable(Part[None]):
 
 @part
 class Clamp(Part[None]):
-    """Fix the direction of a cable's end in a body, as drawn; its stretch stays free."""
+    """Fix the direction of a cable's end in a body, as drawn; its stretch remains free."""
 
     name: str = entry("Name of the element.")
     frame: Node | str = entry("Orientation of the body (an angle in a planar model).")
@@ -188,9 +188,9 @@ class Clamp(Part[None]):
 
 @part
 class Anchor(Part[None]):
-    """Anchor a cable's end on a body, where it is drawn; with the slope, its direction too (tangent to a drum).
+    """Anchor a cable's end to a body, as drawn; with the slope, also its direction (tangent to a drum).
 
-    The rigid link `name` holds the point, the clamp ``name direction`` the direction.  A cable that ends in a
+    The rigid link `name` holds the point, the clamp ``name direction`` the direction.  A cable that ends at a
     body's reference point needs no anchor; one that ends at a beam or point mass shares its point.
     """
 
@@ -216,7 +216,7 @@ def _profile(owner: str, section: Any, material: Any, EA: float | None, mass: fl
         )
     if stated:
         raise ModelError(
-            f"{owner}: section and material give {', '.join(stated)} already; drop these, or drop the section"
+            f"{owner}: section and material already give {', '.join(stated)}; drop these or the section"
         )
     return profile_of(section, material, owner)
 

@@ -36,14 +36,14 @@ class Cam(Part[None]):
     Raises
     ------
     ModelError
-        An outline of other length, or that is not positive; a roller at the centre; an outline that is not convex,
+        An outline of a wrong length, or that is not positive; a roller at the centre; an outline that is not convex,
         which a flat face cannot follow; a face along the axis.
 
     Notes
     -----
     The deformation ``name.gap`` is rigid: its stress is negative while the cam pushes, and positive where the
-    follower would have to be pulled.  It is measured along the radius, or across the face.  Released, it takes the
-    law ``hertz``, and the follower can lift off.
+    follower would have to be pulled.  It is measured along the radius, or across the face.  If released, it
+    can be given the law ``hertz``, and the follower can lift off.
     """
 
     name: str = entry("Name of the element with the gap.")
@@ -57,7 +57,7 @@ class Cam(Part[None]):
     outline: Outline = array_quantity(
         "m",
         "Distance [] of the roller's centre from the centre of the cam, a function of the angle in the cam [rad], "
-        "counted from `start` about `axis`; or its values at equal steps of a turn, from zero on: 6, 8, 12, 16, 24 or "
+        "measured from `start` about `axis`; or its values at equal steps of a turn from zero: 6, 8, 12, 16, 24 or "
         "48.  A periodic spline of degree five passes through them, or through 48 values of the function.  For a flat "
         "face: its distance from the centre of the cam, over the angle of its normal.",
     )
@@ -72,7 +72,7 @@ class Cam(Part[None]):
     )
     start: Vector | None = array_quantity(
         "-",
-        "Direction in the cam from which angles are counted, in global axes as drawn; by default from the centre to "
+        "Direction in the cam from which angles are measured, in global axes as drawn; by default from the centre to "
         "the roller, or the normal of the face.",
         default=None,
     )
@@ -181,7 +181,7 @@ def _check_convex(control: Array, owner: str) -> None:
         angle = 2 * np.pi / PIECES * int(np.argmin(radius))
         raise ModelError(
             f"{owner}: outline has the radius of curvature {np.min(radius):.3g} m at the angle {angle:.3g}: a flat "
-            f"face cannot follow what is not convex; add more than {-np.min(radius):.3g} m, or smooth it"
+            f"face cannot follow a concave outline; add more than {-np.min(radius):.3g} m, or smooth it"
         )
 
 

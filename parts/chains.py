@@ -64,8 +64,8 @@ class Chain(Handle):
 class ChainPart(Part[Chain]):
     """Add a chain of n bars with point masses: bars ``name1`` …, points ``name_p0`` …, masses ``name_m0`` ….
 
-    It does not bend and carries tension and compression. It is the model of a rope with a free end whose
-    bending stiffness is too low for `cable_line`. Its error falls with the square of the bars' length.
+    It has no bending stiffness, and carries tension and compression. It models a rope with a free end whose
+    bending stiffness is too low for `cable_line`. Its error decreases with the square of the bar length.
 
     Raises
     ------
@@ -89,15 +89,15 @@ class ChainPart(Part[Chain]):
     n: int | None = entry("Number of bars, as for `cable_line`.", default=None)
     _: KW_ONLY
     length: float | None = quantity(
-        "m", "positive", "Undeformed length [] of all bars, with EA; as drawn by default.", default=None
+        "m", "positive", "Total undeformed length [] of the bars, with EA; as drawn by default.", default=None
     )
     at: Sequence[float] | Array | None = array_quantity(
-        "-", "Places of the points, as for `cable_line`.", default=None
+        "-", "Positions of the points, as for `cable_line`.", default=None
     )
     start: Node | str | None = entry("Existing point to use for the first end.", default=None)
     end: Node | str | None = entry("Existing point to use for the other end.", default=None)
     mass_per_length: float = quantity(
-        "kg/m", "not negative", "Mass per length; half of each bar's mass is in each of its points."
+        "kg/m", "not negative", "Mass per length; half of each bar's mass is at each of its points."
     )
     EA: float | None = quantity(
         "N", "positive", "Stiffness in tension; the bars are rigid without it.", default=None

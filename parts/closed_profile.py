@@ -30,7 +30,7 @@ class ClosedProfile:
     Parameters
     ----------
     corners : sequence (k, 2)
-        Places (y, z) of the corners of the walls' middle line in order [m], from any origin.
+        Positions (y, z) of the corners of the walls' middle line in order [m], from any origin.
     thickness : float or sequence (k,)
         Thickness of all walls, or of each, from its corner to the next [m].
 
@@ -147,7 +147,7 @@ class ClosedProfile:
 
     @property
     def shear_centre(self) -> tuple[float, float]:
-        """Place (y, z) of the shear centre, from the centroid [m]."""
+        """Position (y, z) of the shear centre, from the centroid [m]."""
         return self._warping[:2]
 
     @property

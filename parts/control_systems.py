@@ -43,7 +43,7 @@ def rule_of(
             )
         start = np.zeros(0) if state is None else np.atleast_1d(array(state, owner, "state"))
         if start.ndim != 1 or (state is not None and not start.size):
-            raise ModelError(f"{owner}: state has shape {start.shape}; give a list of one number or more")
+            raise ModelError(f"{owner}: state has shape {start.shape}; give a list of one or more numbers")
         return FunctionRule(owner, given, nu, start.size, state is not None), period, start
     if given is None or isinstance(given, str | type | dict | set):
         raise ModelError(f"{owner}: {given!r} is not a controller; give {WHAT}")

@@ -38,7 +38,7 @@ def wired(to: Lowering, c: Controller) -> tuple[Wires, list[str]]:
         base, order = parts(given)
         if order not in (0, 1):
             raise ModelError(
-                f"{c.owner}: a continuous controller measures values and rates, and '{given}' depends on its own "
+                f"{c.owner}: a continuous controller measures values and rates, but '{given}' depends on its own "
                 "force; give it a period, or leave that input out"
             )
         name, slip, offset = _target(to, c, base, "input")
@@ -89,7 +89,7 @@ def add_continuous(to: Lowering, c: Controller, start: Sequence[float]) -> None:
     """Add the law of a continuous controller."""
     if c.rule.nx > MOST:
         raise ModelError(
-            f"{c.owner}: {c.rule.nx} states; a continuous one may have {MOST}: reduce its order "
+            f"{c.owner}: {c.rule.nx} states; a continuous one may have at most {MOST}: reduce its order "
             "(control.balanced_reduction), or sample it (period=…)"
         )
     wires, on = wired(to, c)

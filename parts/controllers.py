@@ -29,20 +29,20 @@ class ControllerPart(Part[None]):
     With a period the controller is sampled: it measures at t = 0, period, 2 period, …, just before each instant,
     and holds its outputs until the next one.  Without a period it is continuous.
 
-    As a function it is ``u = function(t, y)`` of the time and the inputs y (ny,), and returns the outputs u (nu,), a
-    number if there is one.  With `state` it is ``u, x = function(t, y, x)``: it returns the new state too, or the rate
-    of the state if it is continuous.  It must not store anything between calls.
+    A function ``u = function(t, y)`` of the time and the inputs y (ny,) returns the outputs u (nu,), or a number if
+    there is only one.  With `state`, ``u, x = function(t, y, x)`` also returns the new state, or its rate if the
+    controller is continuous.  The function must not store anything between calls.
 
-    Gains (nu, ny), or a state-space system or transfer function of python-control or scipy.signal, are a negative
-    feedback, as by `control.feedback` and `control.lqr`, of reference - y.  A discrete system has its period.
+    Gains (nu, ny), or a state-space system or transfer function of python-control or scipy.signal, act on
+    reference - y: negative feedback, as in `control.feedback` and `control.lqr`.  A discrete system sets the period.
 
     `anti_windup` keeps integrators from winding up while an output v is beyond its limits and u is the limited one:
 
     - A time constant T of a linear system [s]: its integral parts track the limited outputs.  It gives the
       gains L = V (C V)⁺ / T, or times the period if sampled, with the eigenvectors V of the integrators.
     - Gains L of any controller: x' = f + L (u - v), or for the next state x = f + L (u - v) if sampled.
-    - "clamp" for sampled ones: the integral part of an output stops where it would grow further beyond the
-      limit.  With a function its whole state stops.
+    - "clamp" for sampled controllers: the integral part of an output stops when it would drive the output further
+      beyond the limit.  For a function, its whole state stops.
 
     Raises
     ------
@@ -80,15 +80,15 @@ class ControllerPart(Part[None]):
     )
     _: KW_ONLY
     inputs: Sequence[str] = entry(
-        "Coordinates and deformations, and rates of these and of slips by a prime; a sampled one also accelerations "
-        "(two primes), ``force:…``, and internal states."
+        "Coordinates and deformations, and, with a prime, the rates of these and of slips; for a sampled controller "
+        "also accelerations (two primes), ``force:…``, and internal states."
     )
     outputs: Sequence[str] = entry(
-        "Coordinates, deformations or slips on which it acts; positive where it does positive work as they grow, as "
-        "loads do.  They become free, and so do the deformations that a continuous controller measures."
+        "Coordinates, deformations or slips on which it acts; positive where it does positive work as they "
+        "increase, as for loads.  They become free, and so do the deformations that a continuous controller measures."
     )
     name: str = entry(
-        "Results have its outputs as ``name.u``, or ``name.u0``, ``name.u1``, …, and its state as ``name.x0``, …",
+        "Results contain its outputs as ``name.u``, or ``name.u0``, ``name.u1``, …, and its state as ``name.x0``, …",
         default="controller",
     )
     period: float | None = quantity(
@@ -97,7 +97,7 @@ class ControllerPart(Part[None]):
     delay: float = quantity(
         "s",
         "not negative",
-        "Time of a sampled controller from an instant to the change of its outputs; it may be longer than the period.  "
+        "Time from an instant of a sampled controller to the change of its outputs; may be longer than the period.  "
         "Before the first change the outputs are zero.",
         default=0.0,
     )
@@ -117,7 +117,7 @@ class ControllerPart(Part[None]):
         "", "Initial state (nx,) of a function or a system.", default=None, form="array_like, optional"
     )
     reference: Mapping[str, float] | None = array_quantity(
-        "", "Wanted values of inputs of gains or a linear system; zero where none is given.", default=None
+        "", "Desired values of the inputs, for gains or a linear system; zero where not given.", default=None
     )
 
     def lower(self, to: Lowering) -> None:
@@ -140,7 +140,7 @@ class ControllerPart(Part[None]):
         if found.slots > MOST_SLOTS:
             raise ModelError(
                 f"{owner}: {found.slots} outputs would be delayed at once (delay {self.delay:g} s, period "
-                f"{period:g} s); {MOST_SLOTS} are possible"
+                f"{period:g} s); at most {MOST_SLOTS} are possible"
             )
         add = add_continuous if period is None else add_sampled
         add(to, found, start.tolist())
@@ -170,7 +170,9 @@ def _wanted(owner: str, inputs: Sequence[str], reference: Any) -> Array | None:
         return None
     given = numbers(reference, owner, "reference")
     for other in given.keys() - set(inputs):
-        raise ModelError(f"{owner}: the reference '{other}' is not measured; it measures {', '.join(inputs)}")
+        raise ModelError(
+            f"{owner}: the reference '{other}' is not an input; the inputs are {', '.join(inputs)}"
+        )
     return np.array([given.get(name, 0.0) for name in inputs])
 
 
@@ -179,7 +181,7 @@ def _limits(owner: str, limits: Any, nu: int) -> tuple[Array, Array]:
     if limits is None:
         return np.full(nu, -np.inf), np.full(nu, np.inf)
     if not isinstance(limits, tuple | list | np.ndarray) or len(limits) != 2:
-        raise ModelError(f"{owner}: limits {limits!r:.60}; give two, (low, high)")
+        raise ModelError(f"{owner}: limits {limits!r:.60}; give a pair (low, high)")
     low, high = (_limit(owner, side, nu, none) for side, none in zip(limits, (-np.inf, np.inf), strict=True))
     if np.any(low >= high):
         raise ModelError(f"{owner}: limits {limits!r:.60}; the lower one must be less than the upper one")

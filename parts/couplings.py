@@ -80,7 +80,7 @@ class PlanarBelt(Part[None]):
         if self.stiffness is not None:
             Spring(f"{self.name}.elongation", self.stiffness, self.damping).lower(to)
         elif self.damping:
-            raise ModelError(f"{self.owner}: damping has no effect without stiffness; give one, or drop it")
+            raise ModelError(f"{self.owner}: damping has no effect without a stiffness; give one, or drop it")
 
 
 @part
@@ -152,11 +152,11 @@ class Quadric(Part[None]):
     _: KW_ONLY
     quadratic: Any = array_quantity(
         "1/m",
-        "Factors [] of x², y², z², xy, xz, yz (6,), or a symmetric matrix A (3, 3) for x'A x.",
+        "Coefficients [] of x², y², z², xy, xz, yz (6,), or a symmetric matrix A (3, 3) for x'A x.",
         default=(0.0,) * 6,
         form="array_like",
     )
-    linear: Vector = array_quantity("-", "Factors of x, y, z (3,).", default=(0.0,) * 3)
+    linear: Vector = array_quantity("-", "Coefficients of x, y, z (3,).", default=(0.0,) * 3)
     constant: float = quantity("m", "any", "Constant of the polynomial.", default=0.0)
 
     def lower(self, to: Lowering) -> None:
@@ -173,14 +173,14 @@ class Quadric(Part[None]):
         }
         if not np.any(values["quadratic"]) and not np.any(values["linear"]):
             raise ModelError(
-                f"{self.owner}: all its factors are zero, which is not a surface; give quadratic or linear ones"
+                f"{self.owner}: all its coefficients are zero, which defines no surface; give quadratic or linear ones"
             )
         to.element(self.name, "surface", [node], values)
 
 
 @part
 class PlanarWheel(Part[None]):
-    """Roll an upright wheel on the plane itself; with `spin` fixed, a skate that is dragged along.
+    """Roll an upright wheel on the plane of a planar model; with `spin` fixed, a skate that is dragged along.
 
     See Also
     --------
@@ -217,8 +217,8 @@ class RotaryInertia(Part[None]):
     inertia: Any = array_quantity(
         "kg m²",
         "Inertia in body axes []: (xx, yy, zz, xy, xz, yz) as tensor components or a symmetric (3, 3), which need not "
-        "be the inertia of a real body; one number in a planar model.  Of a warping node one number in kg m⁴, the "
-        "density times the warping constant times the length that it stands for.",
+        "be the inertia of a real body; one number in a planar model.  For a warping node, one number in kg m⁴: "
+        "density times warping constant times the length that it represents.",
         form="array_like",
     )
 

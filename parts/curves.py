@@ -59,8 +59,8 @@ class Curve:
         breaks, pieces = array(self.breaks, "curve", "breaks"), _checked_pieces(self.pieces)
         if not 1 <= len(pieces) <= PIECES or breaks.shape != (len(pieces) - 1,):
             raise ModelError(
-                f"curve: {len(pieces)} pieces and {breaks.size} breaks; give 1 to {PIECES} pieces and a break between "
-                "neighbours"
+                f"curve: {len(pieces)} pieces and {breaks.size} breaks; give 1 to {PIECES} pieces, with a break "
+                "between adjacent ones"
             )
         if np.any(np.diff(breaks) <= 0):
             raise ModelError(f"curve: breaks {breaks.tolist()} are not increasing; sort them")
@@ -98,17 +98,17 @@ class Curve:
         Parameters
         ----------
         x, y : array_like (n,)
-            Increasing places and the forces there, 2 to `PIECES` - 1 of them.
+            Increasing values and the forces at them, 2 to `PIECES` - 1 of each.
         """
         from scipy.interpolate import PchipInterpolator
 
-        places, values = array(x, "curve", "places"), array(y, "curve", "forces")
+        places, values = array(x, "curve", "x values"), array(y, "curve", "forces")
         if places.ndim != 1 or places.shape != values.shape or not 2 <= places.size < PIECES:
             raise ModelError(
-                f"curve: {places.size} places and {values.size} forces; give 2 to {PIECES - 1} of both, equally many"
+                f"curve: {places.size} x values and {values.size} forces; give 2 to {PIECES - 1} of both, equally many"
             )
         if np.any(np.diff(places) <= 0):
-            raise ModelError(f"curve: places {places.tolist()} are not increasing; sort them")
+            raise ModelError(f"curve: x values {places.tolist()} are not increasing; sort them")
         p = PchipInterpolator(places, values)
         slopes = p.derivative()(places)
         local: list[tuple[float, Sequence[float]]] = [(places[0], [values[0], slopes[0]])]

@@ -1,4 +1,4 @@
-"""Coordinates as deformations: how far a point or an angle is from where it was drawn, for springs to the ground."""
+"""Coordinates as deformations: the displacement of a point or angle from its drawn value, for springs to the ground."""
 
 from __future__ import annotations
 

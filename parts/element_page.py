@@ -1,4 +1,4 @@
-"""The page of an element as users look at it: its symbols, and the values of its functions at one place."""
+"""The page of an element as users see it: its symbols, and the values of its functions at one configuration."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, repr=False)
 class ElementValues:
-    """Values of the functions of one element at one place.
+    """Values of the functions of one element at one configuration.
 
     Attributes
     ----------
@@ -40,13 +40,13 @@ class ElementValues:
     e : ndarray, (m,)
         Deformations.
     De : ndarray, (m, n)
-        Their derivatives by the coordinates.
+        Their derivatives with respect to the coordinates.
     D2e : ndarray, (m, n, n)
         Their second derivatives.
     V : ndarray, (k, n)
-        Slips s = V v, as the derivatives by the rates.
+        Derivatives of the slips s = V v with respect to the rates.
     DV : ndarray, (k, n, n)
-        ``DV[i, j, l]`` is the derivative of ``V[i, j]`` by coordinate l.
+        ``DV[i, j, l]`` is the derivative of ``V[i, j]`` with respect to coordinate l.
     M : ndarray, (n, n)
         Mass matrix; zero for an element without mass.
     f : ndarray, (n,)
@@ -83,13 +83,13 @@ class ElementValues:
 
 
 class ElementPage:
-    """The page of an element: what its definition says, and `evaluate`; see `flexel.page`.
+    """The page of an element: its definition, and `evaluate`; see `flexel.page`.
 
     Attributes
     ----------
     name : str
     doc, source : str
-        Its mathematics in a few lines of text, and from where it is.
+        Its mathematics in a few lines of text, and its source.
     nodes : dict of str to str
         Kind of each node, in order.
     columns : tuple of str, (n,)
@@ -149,7 +149,7 @@ class ElementPage:
         Raises
         ------
         ModelError
-            A node or parameter that is missing, unknown, or has another number of values, or not finite ones.
+            A node or parameter that is missing or unknown, or whose values are too many, too few or not finite.
 
         Examples
         --------
@@ -227,12 +227,12 @@ def page(element: str | CompiledElement | Element) -> ElementPage:
     Parameters
     ----------
     element : str, CompiledElement or flexel.derive.Element
-        Name of a built-in element, what `compile_element` returned, or a definition, which is then compiled.
+        Name of a built-in element, the result of `compile_element`, or a definition, which is then compiled.
 
     Raises
     ------
     ModelError
-        There is no such element.
+        If there is no such element.
     ElementError, CompilerError
         As `compile_element`.
 
@@ -260,7 +260,7 @@ def _check_names(owner: str, given: Mapping[str, Any], known: Mapping[str, Any],
             raise ModelError(f"{owner}: {unknown(name, known, what)}")
     if missing := [name for name in known if name not in given]:
         says = [f"{name}, {known[name]}" if isinstance(known[name], str) else name for name in missing]
-        raise ModelError(f"{owner}: no value of {'; '.join(says)}")
+        raise ModelError(f"{owner}: no value for {'; '.join(says)}")
 
 
 def _numbers(given: ArrayLike, owner: str, what: str, names: int | Sequence[str]) -> Array:

@@ -29,7 +29,7 @@ def compile_element(
 ) -> CompiledElement:
     """Derive, compile and verify a user-defined element; use it with ``m.element(name, compiled, …)``.
 
-    The first call takes a few seconds; later ones use the cache, by content.  Every output of every kernel is
+    The first call takes a few seconds; later ones use the cache, keyed by content.  Every output of every kernel is
     compared with the definition, in 60 digits, at random configurations.
 
     Parameters
@@ -44,7 +44,7 @@ def compile_element(
     ElementError
         The definition is invalid, or the verification fails.
     CompilerError
-        No C compiler, or it reports an error.
+        There is no C compiler, or it reports an error.
     """
     from flexel.derive import Element as Declared
     from flexel.derive.accept import accepted_element
@@ -99,7 +99,7 @@ class ElementPart(Part[None]):
     Raises
     ------
     ModelError
-        An unknown type, a node of another kind, a parameter that is missing, unknown or of another size.
+        An unknown type, a node of the wrong kind, a parameter that is missing, unknown or of the wrong size.
 
     Examples
     --------
@@ -111,7 +111,7 @@ class ElementPart(Part[None]):
 
     name: str = entry("Name of the element; its quantities are ``name.deformation`` and ``name.slip``.")
     kind: str | CompiledElement = entry(
-        "Name of a built-in element, or what `flexel.compile_element` returned."
+        "Name of a built-in element, or the result of `flexel.compile_element`."
     )
     nodes: tuple[Node | str, ...] = entry("Nodes in the order of the definition.", spread=True, form="node")
     parameters: Mapping[str, Any] | None = entry(

@@ -1,4 +1,4 @@
-"""Laws given by formulas: compiled with exact tangents, and verified as `flexel.compile_law` does.
+"""Laws given by formulas: compiled with exact tangents, and verified as in `flexel.compile_law`.
 
 The derivation (SymPy, flexel.derive) is imported only when a formula is given; the results are cached by
 content, so that a formula is derived and verified once, and compiled once with all that differ in numbers only.
@@ -130,7 +130,7 @@ def _limits(
     if not isinstance(ranges, Mapping) or (wrong := [name for name in ranges if name not in RANGED]):
         shown = repr(ranges) if not isinstance(ranges, Mapping) else f"'{wrong[0]}'"
         raise ModelError(
-            f"{owner}: ranges of {shown}; give ranges={{'e': (lowest, highest)}}, and of 'ed' or 't'"
+            f"{owner}: ranges of {shown}; give ranges={{'e': (lowest, highest)}}, or also for 'ed' or 't'"
         )
     try:
         check_ranges(_declared(sigma, sympy.S.Zero), ranges)
@@ -150,7 +150,7 @@ def _with_an_energy(owner: str, sigma: Any, limits: dict[str, tuple[float, float
     at_rest = _without_time(sigma.subs(symbol("ed"), 0))
     if not at_rest.subs(symbol("e"), 0).is_finite:
         raise ModelError(
-            f"{owner}: {sigma} has no finite value at e = 0, from where its energy counts; give it as "
+            f"{owner}: {sigma} has no finite value at e = 0, from which its energy is measured; give "
             "energy=lambda e: …"
         )
     tried = [closed_form(at_rest, symbol("e"))]
@@ -166,7 +166,7 @@ def _with_an_energy(owner: str, sigma: Any, limits: dict[str, tuple[float, float
     bare = _verified(_declared(sigma, sympy.S.Zero), limits)  # raises what is wrong with the formula itself
     remedy = "give energy=lambda e: …" + ("" if "e" in limits else ", or ranges={'e': (lowest, highest)}")
     warnings.warn(
-        f"{owner}: no stored energy of {sigma} is found; results count its work as dissipated: {remedy}",
+        f"{owner}: no stored energy of {sigma} was found; results count its work as dissipated: {remedy}",
         ModelWarning,
         stacklevel=outside(),
     )

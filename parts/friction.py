@@ -35,7 +35,7 @@ class Friction(Part[None]):
 
     @property
     def owner(self) -> str:
-        """What messages call it: by the quantity on which it acts."""
+        """Its name in messages: by the quantity on which it acts."""
         return f"friction on '{self.on}'"
 
     def lower(self, to: Lowering) -> None:
@@ -62,12 +62,12 @@ class Limits(Part[None]):
     high: float = quantity("m or rad", "any", "Deformation at which the upper stop is touched.")
     stiffness: float = quantity("N/m or N m/rad", "positive", "Stiffness of the stops.")
     damping: float = quantity(
-        "s/m or s/rad", "not negative", "Loss relative to the elastic force, for unit rate.", default=0.0
+        "s/m or s/rad", "not negative", "Dissipative force relative to the elastic force, at unit rate.", default=0.0
     )
 
     @property
     def owner(self) -> str:
-        """What messages call it: by the quantity on which it acts."""
+        """Its name in messages: by the quantity on which it acts."""
         return f"limits on '{self.on}'"
 
     def lower(self, to: Lowering) -> None:
@@ -99,27 +99,27 @@ class Clearance(Part[None]):
         "a spherical or universal joint: the three displacements of its ball become free."
     )
     gap: float = quantity(
-        "m", "positive", "Radius of the bush less the pin's radius; the pin is drawn in the centre."
+        "m", "positive", "Radius of the bush minus that of the pin; the pin is drawn in the centre."
     )
     stiffness: float = quantity("N/m", "positive", "Stiffness of the contact, force per penetration.")
     _: KW_ONLY
     damping: float = quantity(
-        "s/m", "not negative", "Loss relative to the elastic force, for unit rate.", default=0.0
+        "s/m", "not negative", "Dissipative force relative to the elastic force, at unit rate.", default=0.0
     )
     friction_radius: float = quantity(
         "m",
         "not negative",
         "Coefficient of friction times the radius of the pin []: the moment is this times the force of the contact.  A "
-        "ball has none, since its turns have no angles.",
+        "ball has none, since its rotations are not measured.",
         default=0.0,
     )
     slip_speed: float = quantity(
-        "rad/s", "positive", "Speed of turning at which 71 % of the friction acts.", default=0.01
+        "rad/s", "positive", "Angular velocity at which 71 % of the friction acts.", default=0.01
     )
 
     @property
     def owner(self) -> str:
-        """What messages call it: by its joint."""
+        """Its name in messages: by its joint."""
         return f"clearance of '{self.joint}'"
 
     @property
@@ -140,7 +140,7 @@ class Clearance(Part[None]):
         if to.roles.get(f"{self.joint}.angle") == "rigid":
             raise ModelError(
                 f"{self.owner}: it does not turn ('{self.joint}.angle' is rigid), so it has no pin; use m.revolute "
-                "instead of a weld; for the play of a slide put m.limits on the displacements"
+                "instead of a weld; for the play of a slide use m.limits on the displacements"
             )
         values = {"gap": self.gap, "stiffness": self.stiffness, "damping": self.damping}
         if ball:

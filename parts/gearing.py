@@ -52,16 +52,16 @@ class Gear(Part[None]):
     ------
     ModelError
         Joints of different first bodies, numbers of teeth that contradict the drawing, a point on an axis, teeth
-        that move in different directions there (which takes a lead).
+        that move in different directions there (which requires a lead).
 
     Notes
     -----
-    The relation is ``name.relation``: angle of q less ratio times angle of p, over any number of turns.  Released,
+    The relation is ``name.relation``: angle of q minus ratio times angle of p, over any number of turns.  Released,
     with a spring, it is an elastic mesh.
 
     See Also
     --------
-    planar_gear : Gears of the plane by their nodes, on centres that may move.
+    planar_gear : Planar gears given by their nodes, with centres that may move.
     """
 
     name: str = entry("Name of the relation.")
@@ -121,7 +121,7 @@ class RackAndPinion(Part[None]):
 
     Notes
     -----
-    The relation is ``name.relation``: travel of the rack less radius times angle of the pinion.
+    The relation is ``name.relation``: travel of the rack minus radius times angle of the pinion.
     """
 
     name: str = entry("Name of the relation.")
@@ -154,11 +154,11 @@ class Belt(Part[None]):
 
     Notes
     -----
-    The relation is ``name.relation``: angle of q less ratio times angle of p.
+    The relation is ``name.relation``: angle of q minus ratio times angle of p.
 
     See Also
     --------
-    planar_belt : A belt that may stretch, in the plane, on centres that may move.
+    planar_belt : A planar belt that may stretch, with centres that may move.
     """
 
     name: str = entry("Name of the relation.")
@@ -191,8 +191,8 @@ class CardanChain(Part[None]):
 
     Notes
     -----
-    Where the first and the third axis coincide (the second angle is 90 degrees for perpendicular axes), the
-    first and the third angle are not determined.
+    Where the first and third axes coincide (at a second angle of 90 degrees for perpendicular axes), the
+    first and third angles are not determined.
     """
 
     first: str = entry('Name of the hinge at the base, such as "yaw".')
@@ -238,7 +238,7 @@ def _two_axes(to: Lowering, owner: str, p: str, q: str) -> tuple[_Axis, _Axis]:
     """Return two joints as drawn, held by the same body."""
     first, second = (_axis_of(to, owner, joint) for joint in (p, q))
     if p == q:
-        raise ModelError(f"{owner}: both its joints are '{p}'; name two")
+        raise ModelError(f"{owner}: both its joints are '{p}'; name two different ones")
     if first.holder != second.holder:
         raise ModelError(
             f"{owner}: '{p}' starts at '{first.holder}' and '{q}' at '{second.holder}'; make both with the "
@@ -285,6 +285,6 @@ def _teeth(owner: str, teeth: Any, drawn: float) -> float:
     a, b = (whole(count, owner, "teeth") for count in teeth)
     if abs(a / b - drawn) > TEETH * drawn:
         raise ModelError(
-            f"{owner}: {a} and {b} teeth give the ratio {a / b:.6g}, and the drawing {drawn:.6g}; move 'at' or the axes"
+            f"{owner}: {a} and {b} teeth give the ratio {a / b:.6g}, but the drawing {drawn:.6g}; move 'at' or the axes"
         )
     return a / b

@@ -1,4 +1,4 @@
-"""The position of a joint: both bodies, the point of each there, and what joints of rigid bodies have in common."""
+"""The position of a joint: both bodies, the point of each there, and the common parts of joints of rigid bodies."""
 
 from __future__ import annotations
 
@@ -66,10 +66,10 @@ def place_of(to: Lowering, kind: str, name: str, p: Given, q: Given, at: Vector 
 def place_in_space(
     to: Lowering, kind: str, name: str, p: Given, q: Given, at: Vector | None, remedy: str
 ) -> JointPlace:
-    """Return the same for spatial bodies; a ModelError tells the remedy for planar ones."""
+    """Return the same for spatial bodies; a ModelError gives the remedy for planar ones."""
     owner = f"{kind} '{name}'"
     if two_bodies(to, owner, p, q)[0].planar:
-        raise ModelError(f"{owner}: it joins bodies in space and these are planar; {remedy}")
+        raise ModelError(f"{owner}: it joins bodies in space, but these are planar; {remedy}")
     return place_of(to, kind, name, p, q, at)
 
 

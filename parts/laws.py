@@ -27,7 +27,7 @@ class AttachedLaw(Part[None]):
     Raises
     ------
     ModelError
-        An unknown law, argument, parameter or state; a quantity in another unit than the argument's; a wrong
+        An unknown law, argument, parameter or state; a quantity whose unit differs from the argument's; a wrong
         number of names or values; a value that is not physically meaningful.
 
     See Also
@@ -41,8 +41,8 @@ class AttachedLaw(Part[None]):
 
     law: str = entry("Name in the table of laws.")
     on: Sequence[str] | Mapping[str, str] = entry(
-        "The quantity of the model for each of the law's arguments, by name; or as many deformations as the law has, "
-        "then as many slips, in the law's order."
+        "The quantity of the model for each of the law's arguments, by name; or the deformations, then the slips, in "
+        "the law's order."
     )
     _: KW_ONLY
     name: str | None = entry(
@@ -78,7 +78,7 @@ class AttachedLaw(Part[None]):
 class LawPart(Part[None]):
     """Attach a user-defined law: a compiled one, or a formula σ = law(e, ė, t) on one deformation.
 
-    Statics, linearizations and vibrations take a law that depends on time at the time of their state.
+    Statics, linearizations and vibrations evaluate a law that depends on time at the time of their state.
 
     Raises
     ------
@@ -100,8 +100,8 @@ class LawPart(Part[None]):
     """
 
     on: str | Sequence[str] | Mapping[str, str] = entry(
-        "A deformation; for a compiled law as many deformations as it has, then as many slips, or the quantity for "
-        "each of its arguments, by name.  They become free."
+        "A deformation; for a compiled law its deformations, then its slips, in order, or the quantity for each of "
+        "its arguments, by name.  They become free."
     )
     law: CompiledLaw | Callable[..., Any] = entry(
         "The result of `flexel.compile_law`; or a function of e, of e and ed, or of e, ed and the time t [s], that is "
@@ -112,12 +112,12 @@ class LawPart(Part[None]):
     energy: Callable[..., Any] | None = entry(
         "Stored energy [J] of a formula, a function of e; the integral of the elastic part from zero by default: in "
         "closed form, else by quadrature over the range of e, else none, with a warning.  Terms with t store none: "
-        "what they put in counts as negative dissipation.",
+        "the energy that they supply counts as negative dissipation.",
         default=None,
     )
     ranges: Mapping[str, tuple[float, float]] | None = entry(
-        "Lowest and highest ``e``, ``ed`` and ``t`` at which a formula is used: it is verified there (of ``t`` in "
-        "(0, 1) by default), and the energy found by quadrature ends there.",
+        "Lowest and highest ``e``, ``ed`` and ``t`` at which a formula is used: it is verified there (for ``t`` in "
+        "(0, 1) by default), and a quadrature of the energy ends there.",
         default=None,
     )
     name: str | None = entry(
@@ -153,7 +153,7 @@ def _lower_compiled(to: Lowering, given: LawPart, law: Any) -> None:
     if given.energy is not None:
         raise ModelError(f"{owner}: a compiled law already has an energy; leave energy out")
     if given.ranges is not None:
-        raise ModelError(f"{owner}: a compiled law is verified already; give ranges to fx.compile_law")
+        raise ModelError(f"{owner}: a compiled law is already verified; give ranges to fx.compile_law")
     to.law(
         f"{given.owner} on {_listed(on)}",
         law.spec,
@@ -171,7 +171,7 @@ def _lower_formula(to: Lowering, given: LawPart) -> None:
     owner = f"{given.owner} on {_listed(on)}"
     if isinstance(given.law, str):
         raise ModelError(
-            f"{owner}: {given.law!r} is text; attach a built-in law by m.attach({given.law!r}, …)"
+            f"{owner}: {given.law!r} is text; attach a built-in law with m.attach({given.law!r}, …)"
         )
     if extra := [*(given.parameters or {}), *(["initial"] if given.initial is not None else [])]:
         raise ModelError(f"{owner}: a formula takes no {', '.join(extra)}; insert the numbers")
@@ -205,7 +205,7 @@ def add_formula(
     """
     if len(on) != 1:
         raise ModelError(
-            f"{owner}: a formula acts on one deformation and {len(on)} are named; compile a law of more with "
+            f"{owner}: a formula acts on one deformation, but {len(on)} are named; compile a law of more with "
             "fx.compile_law"
         )
     to.quantity_kind(on[0], owner)  # before a formula is compiled for it

@@ -130,7 +130,7 @@ def dead_turns(plane: RopePlane, turns: Any) -> tuple[float, float]:
     missing = [drum is None and count > 0 for drum, count in zip(plane.drums, (first, last), strict=True)]
     if all(missing) or (any(missing) and isinstance(turns, (tuple, list))):
         raise ModelError(
-            f"{plane.owner}: turns {turns!r} need a drum, and there is none at that end of the path; end it on a "
+            f"{plane.owner}: turns {turns!r} need a drum, but there is none at that end of the path; end it on a "
             "drum, or leave turns out"
         )
     for drum, count in zip(plane.drums, (first, last), strict=True):

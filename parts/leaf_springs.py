@@ -38,7 +38,7 @@ class LeafSpring(Part[tuple[str, ...]]):
     Raises
     ------
     ModelError
-        Ends that coincide, bodies that are not a point and a frame, a section or material that does not exist.
+        Coincident ends, bodies that are not a point and a frame, a section or material that does not exist.
 
     Examples
     --------
@@ -52,34 +52,34 @@ class LeafSpring(Part[tuple[str, ...]]):
     q: Node | str = entry("Point of the second body.")
     frame_q: Node | str = entry("Orientation of the second body.")
     _: KW_ONLY
-    section: Section = entry("Cross-section, as of `beam`.")
+    section: Section = entry("Cross-section, as for `beam`.")
     material: Material | str = entry('Material, or the name of one, such as "steel".', named=MATERIALS.get)
     elements: int = entry("Number of beams.", default=4)
     start: Vector | None = array_quantity(
         "m",
-        "Where the leaf is clamped to the first body [], as drawn, in global axes: the point ``<name> start`` is made "
-        "there, rigid on its body.",
+        "Where the leaf is clamped to the first body [], as drawn, in global axes: the point ``<name> start`` is "
+        "created there, fixed to its body.",
         default=None,
     )
     end: Vector | None = array_quantity(
-        "m", "Where it is clamped to the second body [], likewise: the point ``<name> end``.", default=None
+        "m", "Where it is clamped to the second body [], in the same way: the point ``<name> end``.", default=None
     )
     direction: Vector | None = array_quantity(
         "-", "Global direction of the section's y axis as drawn.", default=None
     )
     flexible: Sequence[str] | None = entry(
-        "The modes that deform, of elongation, torsion, bend1 ... bend4; all by default.", default=None
+        "The flexible modes out of elongation, torsion, bend1 ... bend4; all by default.", default=None
     )
     damping: float = quantity(
         "s", "not negative", "Kelvin–Voigt damping: ratio of damping to stiffness.", default=0.0
     )
     second_order: bool = entry("Include second-order terms in the deformations.", default=True)
     warping: bool | Sequence[Node | str] = entry(
-        "Sections warp, as of `beam`: the warping nodes at both ends, or True for new free ones; the nodes between "
-        "the beams are ``<name> warping 1``, ….",
+        "Warping of the sections, as for `beam`: the warping nodes at both ends, or True for new free ones; the nodes "
+        "between the beams are ``<name> warping 1``, ….",
         default=False,
     )
-    rotations: str = entry('"classic" or "logarithmic", as of `beam`.', default="classic")
+    rotations: str = entry('"classic" or "logarithmic", as for `beam`.', default="classic")
 
     def lower(self, to: Lowering) -> tuple[str, ...]:
         """Add the nodes and the beams."""
@@ -92,7 +92,7 @@ class LeafSpring(Part[tuple[str, ...]]):
         along, length = span(first.x0, last.x0, self.owner)
         if planar and self.direction is not None:
             raise ModelError(
-                f"{self.owner}: a planar leaf spring has no direction, it bends in its plane; leave it out"
+                f"{self.owner}: a planar leaf spring bends in its plane and has no direction; leave it out"
             )
         across = None if planar else matrix(triad(along, self.direction, self.owner))[:, 1]
         places = [first.x0 + along * length * i / count for i in range(1, count)]

@@ -41,7 +41,7 @@ class LoadPart(Part[None]):
     )
     _: KW_ONLY
     follower: bool | Node | str = entry(
-        "Whether the moment on a frame turns with it; of a force on a point, the frame with which it turns.",
+        "Whether the moment on a frame turns with it; for a force on a point, the frame with which it turns.",
         default=False,
     )
 
@@ -81,19 +81,19 @@ class LoadPart(Part[None]):
 
 @part
 class DistributedLoad(Part[None]):
-    """Load a beam, truss or cable evenly along its length.
+    """Load a beam, truss or cable uniformly along its length.
 
     Raises
     ------
     ModelError
-        Unknown name, an element without length, wrong number of components.
+        An unknown name, an element without length, a wrong number of components.
     """
 
     beam: str = entry("Name of a beam (flexible or rigid), truss or cable.")
     value: Any = array_quantity(
         "N/m",
-        "Components in global axes of the force per undeformed length []; the nodal forces and moments are the "
-        "consistent ones.",
+        "Components in global axes of the force per undeformed length [], applied as consistent nodal forces and "
+        "moments.",
         form="sequence of float or functions of time",
     )
 
@@ -134,7 +134,7 @@ class AngularVelocity(Part[str]):
     Returns
     -------
     str
-        Name of the element that measures.
+        Name of the element that measures it.
     """
 
     frame: Node | str = entry("Frame whose angular velocity is measured.")

@@ -1,4 +1,4 @@
-"""How pictures show an element: a section, a colour, how opaque it is, or not at all.
+"""How pictures show an element: its section, colour and opacity, or not at all.
 
 For display only: the mechanics is not affected.
 """
@@ -49,7 +49,7 @@ class LookPart(Part[None]):
     Raises
     ------
     ModelError
-        An element that does not exist, or is not a line and is given a section; an invalid colour.
+        An element that does not exist; a section for an element that is not a line; an invalid colour.
 
     Examples
     --------
@@ -60,7 +60,7 @@ class LookPart(Part[None]):
     elements: str | Sequence[str] = entry("Names of elements.")
     _: KW_ONLY
     section: Section | None = entry(
-        "Section swept along a beam, truss or cable in the viewer, in place of the section that it is calculated with.",
+        "Section swept along a beam, truss or cable in the viewer, instead of the section used in the calculation.",
         default=None,
     )
     colour: str | Vector | None = entry(
@@ -69,7 +69,7 @@ class LookPart(Part[None]):
     opacity: float | None = quantity(
         "-",
         "any",
-        "Opacity from 0, not visible, to 1, of lines and of what is swept along them.",
+        "Opacity of lines and of the sections swept along them, from 0 (invisible) to 1.",
         default=None,
     )
     hidden: bool | None = entry("Do not draw the elements.", default=None)

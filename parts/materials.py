@@ -38,7 +38,7 @@ class Material:
         positive(self.E, "Material", "E")
         not_negative(self.rho, "Material", "rho")
         if (self.nu is None) == (self.G is None):
-            raise ModelError("Material: give either nu or G, the other follows from E = 2 G (1 + nu)")
+            raise ModelError("Material: give either nu or G; the other follows from E = 2 G (1 + nu)")
         if self.strength is not None:
             positive(self.strength, "Material", "strength")
         if self.G is not None:
@@ -89,7 +89,7 @@ def material_of(material: Material | str, owner: str) -> Material:
 
 @dataclass(frozen=True)
 class Profile:
-    """A section of a material: what a beam is made of."""
+    """A section of a material, of which a beam is made."""
 
     section: Section
     material: Material

@@ -80,7 +80,7 @@ Made = TypeVar("Made")
 
 
 class Model:
-    """A mechanism to be declared: a list of parts.
+    """A mechanism, declared as a list of parts.
 
     Parameters
     ----------
@@ -90,7 +90,7 @@ class Model:
     Attributes
     ----------
     parts : tuple of Part
-        What was declared, in order, as it was given; nodes, bodies, surfaces and ropes by their names.
+        The parts as declared, in order, with names in place of nodes, bodies, surfaces and ropes.
     lowering : Lowering
         The nodes, elements, laws, loads and roles that follow from the parts.
 
@@ -121,11 +121,11 @@ class Model:
             raise AttributeError(no_call(name, dir(type(self))))
 
     def add(self, part: Part[Made]) -> Made:
-        """Add a part, of flexel's class or a user's; as a whole or, if it is refused, not at all.
+        """Add a part, built in or user-defined; if it is refused, the model is unchanged.
 
         Returns
         -------
-        What the part makes: a node, a rigid body, a rope, or None.
+        The object that the part creates: a node, a rigid body, a rope, or None.
 
         Raises
         ------
@@ -142,7 +142,7 @@ class Model:
 
     @classmethod
     def of(cls, gravity: Vector, parts: Iterable[Part[Any]]) -> Self:
-        """Make a model with some parts, such as all of another model but one.
+        """Make a model of given parts, such as all but one of another model.
 
         Examples
         --------
@@ -329,7 +329,7 @@ class Model:
 
     @property
     def parts(self) -> tuple[Part[Any], ...]:
-        """What was declared, in order."""
+        """The parts as declared, in order."""
         return tuple(self._parts)
 
     def __getitem__(self, name: str) -> Part[Any]:
@@ -340,9 +340,9 @@ class Model:
         return named[name]
 
     def program(self) -> str:
-        """Write the Python program that builds the same model, equal bit by bit: ``print(m.program())``.
+        """Write the Python program that builds the same model, bit for bit: ``print(m.program())``.
 
-        Functions, compiled elements and laws appear by the names by which they are imported.
+        Functions, compiled elements and laws appear under the names by which they are imported.
 
         Raises
         ------
@@ -357,7 +357,7 @@ class Model:
         Raises
         ------
         ModelError
-            As `program`; another suffix than .json.
+            As `program`; a suffix other than .json.
         FlexelError
             If the file cannot be written.
         """
@@ -425,25 +425,25 @@ class Model:
 
     @in_one_thread
     def build(self, t: float = 0.0) -> System:
-        """Count, check and assemble: the System at time t [s], in a consistent initial state.
+        """Check and assemble the model; return the System at time t [s], in a consistent initial state.
 
         Raises
         ------
         ModelError
-            Contradicting roles.
+            Contradictory roles.
         ConstraintError
-            Over- or under-constrained, named by deformations or coordinates.
+            An over- or under-constrained model; names the deformations or coordinates.
         PositionError
             Initial values that contradict the constraints.
 
         Warns
         -----
         AssemblyWarning
-            If the drawing contradicts rigid conditions, by more than a millionth of the size of the model: which, and
-            how far coordinates are moved to meet them.
+            If the drawing violates rigid conditions by more than a millionth of the size of the model: names them, and
+            how far coordinates are moved to satisfy them.
         ModelWarning
-            If a part is probably a mistake (a node without an element, a number that suggests another unit): the
-            findings of `check` that cost nothing.
+            If a part is probably a mistake (a node without an element, a value that suggests a different unit): the
+            findings of `check` that need no further computation.
         """
         system = build(self.lowering, t, System)
         labels = labels_of(self.parts, self._first_laws, self.lowering.laws)
@@ -454,8 +454,8 @@ class Model:
         """Report everything that is wrong or suspicious in one table: ``print(m.check())``.
 
         Degrees of freedom with their names; redundant constraints and the smallest set to release; unresisted motions;
-        missing masses; degenerate elements and unused nodes; drawings that contradict rigid conditions; numbers that
-        look like another unit (steel with E = 210); the condition of the chosen coordinates.
+        missing masses; degenerate elements and unused nodes; drawings that violate rigid conditions; values that
+        suggest a different unit (steel with E = 210); the condition of the chosen coordinates.
 
         Examples
         --------
@@ -474,7 +474,7 @@ class Model:
         Raises
         ------
         ModelError
-            Contradicting roles.
+            Contradictory roles.
 
         Examples
         --------
@@ -482,6 +482,6 @@ class Model:
         1 degree(s) of freedom left by the rigid conditions
         over-constrained: 'a.bend1' 1.00, 'b.bend1' -1.00
         release 'a.bend1'
-        in place of 'a.bend1' equally well: 'b.bend1'
+        alternatives to 'a.bend1': 'b.bend1'
         """
         return report_of_model(self.lowering)

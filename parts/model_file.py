@@ -36,7 +36,7 @@ def write_model(gravity: Any, parts: tuple[Part[Any], ...], path: str | Path) ->
     Raises
     ------
     ModelError
-        A function or an object that cannot be imported, named by its part; another suffix than .json.
+        A function or an object that cannot be imported, named by its part; a suffix other than .json.
     FlexelError
         If the file cannot be written.
     """
@@ -57,7 +57,7 @@ def read_parts(path: Path) -> tuple[list[float], list[Part[Any]]]:
     Raises
     ------
     ModelError
-        A file that is missing, damaged, or of another program; an unknown part, named.
+        A file that is missing, damaged, or from another program; an unknown part, by name.
     """
     owner = f"load '{path}'"
     try:
@@ -67,10 +67,10 @@ def read_parts(path: Path) -> tuple[list[float], list[Part[Any]]]:
             f"{owner}: it cannot be read ({error}); give a file written by Model.save"
         ) from error
     if not isinstance(content, Mapping) or content.get("format") != FORMAT:
-        raise ModelError(f"{owner}: this is not a model of flexel; give a file written by Model.save")
+        raise ModelError(f"{owner}: this is not a flexel model; give a file written by Model.save")
     if content.get("version") != VERSION:
         raise ModelError(
-            f"{owner}: its version is {content.get('version')!r:.20} and this flexel reads {VERSION}; update flexel"
+            f"{owner}: its version is {content.get('version')!r:.20}, but this flexel reads {VERSION}; update flexel"
         )
     try:
         return list(content["gravity"]), [
@@ -79,7 +79,9 @@ def read_parts(path: Path) -> tuple[list[float], list[Part[Any]]]:
     except FlexelError:
         raise
     except (LookupError, TypeError, ValueError, AttributeError) as error:
-        raise ModelError(f"{owner}: it is malformed ({error!r:.100}); take a copy of the file") from error
+        raise ModelError(
+            f"{owner}: it is malformed ({error!r:.100}); use a backup copy of the file"
+        ) from error
 
 
 def _written(part: Part[Any]) -> dict[str, Any]:
@@ -122,7 +124,7 @@ def _part(row: Mapping[str, Any], owner: str) -> Part[Any]:
         kind = imported(str(named[0]), str(named[1]), owner)
         if not isinstance(kind, type) or not issubclass(kind, Part):
             raise ModelError(
-                f"{owner}: {named[1]} is not a kind of part; load the file with the module that has it"
+                f"{owner}: {named[1]} is not a known part; load the file with the module that defines it"
             )
     elif named in kinds:
         kind = kinds[named]
@@ -142,7 +144,7 @@ def _called(kind: Any, arguments: Mapping[str, Any], owner: str) -> Any:
     except FlexelError as error:
         raise type(error)(f"{owner}: {error}") from error
     except TypeError as error:
-        raise ModelError(f"{owner}: {error}; take a copy of the file") from error
+        raise ModelError(f"{owner}: {error}; use a backup copy of the file") from error
 
 
 def _value(plain: Any, owner: str) -> Any:

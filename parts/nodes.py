@@ -20,12 +20,12 @@ class Point(Part[Node]):
     Raises
     ------
     ModelError
-        Duplicate name, coordinates that are not two or three finite numbers.
+        A duplicate name, coordinates that are not two or three finite numbers.
     """
 
     name: str = entry("Name of the node; its coordinates are ``name.x``, ``name.y`` and ``name.z``.")
     position: Vector = array_quantity("m", "Position as drawn []: (x, y, z), or (x, y) in a planar model.")
-    fixed: bool = entry("Hold it where it is drawn.", default=False)
+    fixed: bool = entry("Hold it as drawn.", default=False)
 
     def lower(self, to: Lowering) -> Node:
         """Add the node."""
@@ -41,14 +41,14 @@ class Frame(Part[Node]):
 
     See Also
     --------
-    flexel.base.quaternions.turn : Euler parameters of a turn about an axis.
+    flexel.base.quaternions.turn : Euler parameters of a rotation about an axis.
     """
 
     name: str = entry("Name of the node; its coordinates are ``name.lambda0`` to ``name.lambda3``.")
     orientation: Vector = array_quantity(
         "-", "Euler parameters (λ0, λ1, λ2, λ3) as drawn.", default=(1.0, 0.0, 0.0, 0.0)
     )
-    fixed: bool = entry("Hold it as it is drawn.", default=False)
+    fixed: bool = entry("Hold it as drawn.", default=False)
 
     def lower(self, to: Lowering) -> Node:
         """Add the node."""
@@ -67,7 +67,7 @@ class Angle(Part[Node]):
 
     name: str = entry("Name of the node; its coordinate is ``name.angle``.")
     value: float = quantity("rad", "any", "Angle as drawn.", default=0.0)
-    fixed: bool = entry("Hold it as it is drawn.", default=False)
+    fixed: bool = entry("Hold it as drawn.", default=False)
 
     def lower(self, to: Lowering) -> Node:
         """Add the node."""
@@ -78,13 +78,13 @@ class Angle(Part[Node]):
 class Warping(Part[Node]):
     """Add the warping of a section, for `beam`: its coordinate ``name.twist`` is the beam's twist per length.
 
-    Beams of the same section along one line share the node between them, where the warping is continuous.  Fixed
-    where a support keeps the section plane (a clamp), and free otherwise.
+    Beams of the same section along one line share the node between them, where the warping is continuous.  It is
+    fixed where a support keeps the section plane (a clamp), and free otherwise.
 
     Raises
     ------
     ModelError
-        Duplicate name.
+        A duplicate name.
     """
 
     name: str = entry("Name of the node; its coordinate is ``name.twist`` [rad/m].")

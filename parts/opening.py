@@ -1,4 +1,4 @@
-"""Opens any file of flexel: results, and models."""
+"""Opens any flexel file: results and models."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def load(path: str | Path) -> Model | Motion | Linearization | PeriodicSolution 
     """Load a result or a model from a file written by its `save`, or a result of SPACAR: .sbd, .sbm, .ltv.
 
     Results are .nc, .npz, .mat or .csv, models .json.  Nothing in a result is executed.  A model that names functions
-    imports their modules, as the program that saved it did: load it only if you trust where it comes from.
+    imports their modules, as the program that saved it did: load it only if you trust its source.
 
     A result has the same names and units as when it was saved, without a model; `System.restore` attaches its states to
     a model again.  In SPACAR's `.sbd` positions are p1, p2 ..., orientations o1, o2 ..., nodes of warping w1, w2 ...,
@@ -33,12 +33,12 @@ def load(path: str | Path) -> Model | Motion | Linearization | PeriodicSolution 
     Returns
     -------
     Model, Motion, Linearization, PeriodicSolution, Flexure or SpacarRecords
-        What was saved; of SPACAR, .sbd is a motion, .sbm and .ltv are records of matrices.
+        The saved object; from SPACAR, .sbd gives a motion, .sbm and .ltv records of matrices.
 
     Raises
     ------
     ModelError
-        A file that is missing, damaged, or of another program.
+        A file that is missing, damaged, or from another program.
     FlexelError
         If a package that the format needs is missing.
 

@@ -1,4 +1,4 @@
-"""What beginners and users of other programs look for in a model by other words: the remedy of an AttributeError."""
+"""Names that beginners and users of other programs look for in a model: the remedy in an AttributeError."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ CALLS: dict[tuple[str, ...], str] = {
     ("mass", "particle"): "a mass is m.point_mass(name, point, mass) or m.rigid_body(name, position, mass=…)",
     ("add_body", "rigidbody", "link"): "a body is m.rigid_body(name, position, mass=…, inertia=…)",
     ("rod", "bar", "strut"): "a massless bar is m.truss(name, p, q), one with mass m.beam",
-    ("node", "marker", "add_node"): "nodes are m.point(name, place) and m.frame(name)",
+    ("node", "marker", "add_node"): "nodes are m.point(name, position) and m.frame(name)",
     ("pulley", "drum"): "a pulley or drum is m.sheave(name, point, frame, radius=…)",
     ("cable_over_pulleys", "string"): "a rope is m.rope(name, along, elements), a string without mass m.cable",
     (

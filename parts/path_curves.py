@@ -22,12 +22,12 @@ Path = Sequence[Sequence[float]] | Array | Callable[[float], Any]
 def fractions(owner: str, n: int | None, at: Any) -> Array:
     """Return the positions of the nodes over the length."""
     if (n is None) == (at is None):
-        raise ModelError(f"{owner}: give either n, the number of elements, or at, the places of the nodes")
+        raise ModelError(f"{owner}: give either n, the number of elements, or at, the positions of the nodes")
     if at is None:
         return np.linspace(0, 1, whole(n, owner, "number of elements n", most=10**6) + 1)
     found = array(at, owner, "at").ravel()
     if found.size < 2 or found[0] != 0 or found[-1] != 1 or np.any(np.diff(found) <= 0):
-        raise ModelError(f"{owner}: at = {found.tolist()} does not ascend from 0 to 1; correct it")
+        raise ModelError(f"{owner}: at = {found.tolist()} does not increase from 0 to 1; correct it")
     return found
 
 

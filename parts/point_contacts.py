@@ -55,13 +55,13 @@ class PointContact(Part[None]):
 
     name: str = entry("Name of the element.")
     point: Node | str = entry("The centre, or the point of the body that carries it.")
-    surface: Surface | str = entry("What `Model.sheave` or `Model.plane` declared.")
+    surface: Surface | str = entry("A surface declared by `Model.sheave` or `Model.plane`.")
     contact: Contact = entry(
-        'Its stiffness is for this one contact [N/m^exponent]; one that is made with per="length" is refused.'
+        'Its stiffness is for this one contact [N/m^exponent]; a contact with per="length" is refused.'
     )
     _: KW_ONLY
     frame: Node | str | None = entry(
-        "Orientation of the body. A sphere with a frame slides with the material point of its surface at the contact: "
+        "Orientation of the body. With a frame, the sliding of a sphere is that of its material point at the contact: "
         "friction turns it, and it can roll. Without a frame there is no rotation: sliding is measured at the centre "
         "relative to the surface's body there, whatever the radius, as for ropes.",
         default=None,
@@ -81,7 +81,7 @@ class PointContact(Part[None]):
 
     @property
     def owner(self) -> str:
-        """What messages call it: the contact and its surface."""
+        """Its name in messages: the contact and its surface."""
         return f"contact '{self.name}' with '{name_of(self.surface)}'"
 
     def lower(self, to: Lowering) -> None:
@@ -101,7 +101,7 @@ class PointContact(Part[None]):
             gaps = SPHERE_IN_V if surface.kind == "v_groove" else gaps
         elif self.at is not None:
             raise ModelError(
-                f"{self.owner}: a place at={self.at!r} needs the body that it is fixed in; give its frame"
+                f"{self.owner}: a position at={self.at!r} needs the body in which it is fixed; give its frame"
             )
         to.element(self.name, surface.element(touching), [*nodes, surface.point, surface.frame], values)
         attach_contact(to, self.name, gaps, self.contact, 1.0)
@@ -116,7 +116,7 @@ class PointContact(Part[None]):
             )
         if surface.kind == "helical_groove":
             raise ModelError(
-                f"{self.owner}: a helical groove takes ropes only; give a sheave with another groove"
+                f"{self.owner}: a helical groove is for ropes only; give a sheave with another groove"
             )
         check_fits("sphere", self.radius, surface, self.owner)
 

@@ -19,13 +19,13 @@ class Relation(Part[tuple[str, ...]]):
     """Relate deformations and coordinates linearly: Σ cᵢ (eᵢ - eᵢ as drawn) = 0, with counted turns.
 
     The relation is a deformation, ``name.relation``, rigid by default; its stress is the constraint force, and
-    it can be prescribed, independent, or free with a spring, like every other.  Angles are counted over any
+    it can be prescribed, independent, or free with a spring, like any other.  Angles are counted over any
     number of turns.
 
     Returns
     -------
     tuple of str
-        The terms that were rigid by default and are free now.
+        The terms that were rigid by default and are now free.
 
     Raises
     ------

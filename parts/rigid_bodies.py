@@ -38,7 +38,7 @@ class RigidBodyPart(Part[RigidBody]):
     Raises
     ------
     ModelError
-        A mass without inertia or the reverse, a name that is taken.
+        A mass without inertia or vice versa, a name that is taken.
 
     Examples
     --------
@@ -73,13 +73,13 @@ class RigidBodyPart(Part[RigidBody]):
     points: Mapping[str, Vector] | None = array_quantity(
         "m", "Further points of the body, by name, in global coordinates as drawn.", default=None
     )
-    fixed: bool = entry("Hold the body where it is drawn.", default=False)
+    fixed: bool = entry("Hold the body as drawn.", default=False)
 
     def lower(self, to: Lowering) -> RigidBody:
         """Add the nodes, the mass and the points, and register the body."""
         new_name(self.name, "rigid body")
         if self.name == GROUND:
-            raise ModelError(f"{self.owner}: the ground exists already; joints refer to it by this name")
+            raise ModelError(f"{self.owner}: the ground already exists; joints refer to it by this name")
         point, frame = _nodes(to, self)
         if (self.mass is None) != (self.inertia is None):
             missing, given = ("inertia", "mass") if self.inertia is None else ("mass", "inertia")
@@ -127,7 +127,7 @@ def two_bodies(to: Lowering, owner: str, p: Given, q: Given) -> tuple[RigidBody,
     )
     if first.planar != second.planar:
         raise ModelError(
-            f"{owner}: '{first.name}' and '{second.name}' are one planar and one spatial; join two of one kind"
+            f"{owner}: one of '{first.name}' and '{second.name}' is planar and one spatial; join two of one kind"
         )
     if first.frame.name == second.frame.name:
         raise ModelError(f"{owner}: both its bodies are '{first.name}'; name two different ones")
@@ -159,13 +159,13 @@ def ground(to: Lowering, planar: bool, owner: str) -> RigidBody:
         return to.rigid_bodies[GROUND]
     if GROUND in to.nodes and not np.all(to.nodes[GROUND].fixed):
         raise ModelError(
-            f"{owner}: the node '{GROUND}' of this model can move, and joints mean the ground by this name; "
-            "fix it, name it otherwise, or give the nodes (point, frame) of a body"
+            f"{owner}: the node '{GROUND}' of this model can move, but joints refer to the ground by this name; "
+            "fix it, rename it, or give the nodes (point, frame) of a body"
         )
     place, turned = f"{GROUND}_point", f"{GROUND}_frame"  # 'ground' is left to nodes of the user
     if taken := [name for name in (place, turned) if name in to.nodes or name in to.instances]:
         raise ModelError(
-            f"{owner}: '{taken[0]}' is a name in this model; give the nodes (point, frame) of the ground"
+            f"{owner}: '{taken[0]}' is already a name in this model; give the nodes (point, frame) of the ground"
         )
     point = Point(place, np.zeros(2 if planar else 3), fixed=True).lower(to)
     frame = Angle(turned, fixed=True).lower(to) if planar else Frame(turned, fixed=True).lower(to)

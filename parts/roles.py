@@ -78,14 +78,14 @@ def _set_role(to: Lowering, owner: str, names: tuple[str, ...], role: str) -> No
     for name in names:
         if to.quantity_kind(name, owner) == "coordinate":
             raise ModelError(
-                f"{owner}: '{name}' is a coordinate; rigid and free are roles of deformations and slips, use fix"
+                f"{owner}: '{name}' is a coordinate, but rigid and free are roles of deformations and slips; use fix"
             )
     to.roles.update(dict.fromkeys(names, role))
 
 
 @part
 class Prescribe(Part[None]):
-    """Give a coordinate or deformation a motion u(t); replaces any given earlier."""
+    """Give a coordinate or deformation a motion u(t), which replaces any earlier one."""
 
     name: str = entry("The coordinate or deformation.")
     motion: Any = array_quantity(
@@ -95,7 +95,7 @@ class Prescribe(Part[None]):
         form="float, callable, triple of callables, Ramp, Harmonic, Polynomial or Table",
     )
     actuators: tuple[str, ...] = entry(
-        "Quantities in which the forces act that move it, as many as the quantities that have actuators; itself by "
+        "Quantities in which the driving forces act, as many as there are quantities with actuators; itself by "
         "default.",
         default=(),
         form="sequence of str",
@@ -114,7 +114,7 @@ class Prescribe(Part[None]):
             )
         if isinstance(self.motion, Table) and self.motion.kind == "step":
             raise ModelError(
-                f"prescribe '{self.name}': a table of steps jumps, which takes an infinite force; use a linear or "
+                f"prescribe '{self.name}': a table of steps jumps, which requires an infinite force; use a linear or "
                 "cubic table, or fx.Ramp"
             )
         to.motions[self.name] = as_function(self.motion, f"prescribe '{self.name}'")
@@ -160,7 +160,7 @@ def _check_dofs(to: Lowering, owner: str, names: tuple[str, ...]) -> None:
     for name in names:
         if to.quantity_kind(name, owner) == "slip":
             raise ModelError(
-                f"{owner}: '{name}' is a slip and not a degree of freedom; name movable coordinates or deformations"
+                f"{owner}: '{name}' is a slip, not a degree of freedom; name movable coordinates or deformations"
             )
 
 
@@ -168,8 +168,8 @@ def _check_dofs(to: Lowering, owner: str, names: tuple[str, ...]) -> None:
 class Initial(Part[None]):
     """Set the initial value and rate of a coordinate or deformation (a slip: rate only).
 
-    Rates that are not determined by the given ones are set to zero for the degrees of freedom.  Where this choice
-    matters, name these with `independent` or give enough rates.
+    Rates of degrees of freedom that are not determined by the given ones are set to zero.  If this choice matters,
+    name the degrees of freedom with `independent`, or give enough rates.
     """
 
     name: str = entry("The coordinate, deformation or slip.")

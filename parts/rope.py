@@ -28,11 +28,11 @@ class Rope(CableLine):
     radius : float
         Radius of the rope [m].
     path : RopePath
-        Initial path, in the plane of the sheaves and away from it on helical grooves.
+        Initial path, in the plane of the sheaves, which it leaves on helical grooves.
     tension0 : float
         Tension in the initial configuration [N].
     contacts : dict of str to list of ContactPoint
-        For each sheave or drum.
+        Contact points for each sheave or drum.
     """
 
     radius: float
@@ -57,7 +57,7 @@ class Rope(CableLine):
     def curvature(self, states: State | Sequence[State]) -> tuple[Array, Array]:
         """Return undeformed arc length s (ns,) [m] and curvature (ns,) or (nt, ns) [1/m] along the rope.
 
-        A wire of diameter d and modulus E that slides on its neighbours has a bending stress of E d/2 times it.
+        A wire of diameter d and modulus E that slides on its neighbours has a bending stress of E d/2 times this.
         """
         return self._along(states, "curvature")
 
@@ -73,7 +73,7 @@ class Rope(CableLine):
         """Return undeformed arc length s (np,) [m] and normal force (np,) or (nt, np) [N] of points over one surface.
 
         The forces on both flanks of a V groove are added: friction is limited by their sum, and the load that they
-        carry is sin(opening/2) times it.
+        carry is sin(opening/2) times the sum.
         """
         points = self._points(surface)
         s = np.array([p.s for p in points])
@@ -87,7 +87,8 @@ class Rope(CableLine):
     def wrap_angle(self, states: State | Sequence[State], surface: str) -> Array:
         """Return the angle () or (nt,) [rad] over which the rope touches.
 
-        Undeformed length from the first to the last point that touches, over the length of the centre line per angle.
+        This is the undeformed length from the first to the last point in contact, divided by the length of the centre
+        line per angle.
         """
         points = self._points(surface)
         s, N = self.contact_force(states, surface)

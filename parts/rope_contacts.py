@@ -24,7 +24,7 @@ RELEASE = 1e3  # rate [1/s] at which the bristles of an open contact relax
 
 @described
 class Contact:
-    """How a cable, or a point or sphere of a body, touches: normal force and friction, and the points of a cable.
+    """Contact of a cable, or of a point or sphere of a body: normal force and friction, and the points of a cable.
 
     Parameters
     ----------
@@ -38,7 +38,7 @@ class Contact:
     friction : float
         Coefficient of friction.
     slip_speed : float
-        Coulomb's friction is regularized: 71 % of it at this speed [m/s].
+        Coulomb friction is regularized: 71 % of it acts at this speed [m/s].
     bristle_stiffness : float, optional
         Alternative: bristles that stick, deflected by friction/bristle_stiffness when they slide [1/m].
     bristle_damping : float
@@ -46,9 +46,9 @@ class Contact:
     points : int
         Per element of a cable.
     places : str
-        Of these points: "gauss", weighted by Gauss, or "equidistant".
+        Positions of these points: "gauss", with Gauss weights, or "equidistant".
     per : str, optional
-        "length": forces per length times the points' weights, so that they do not depend on the mesh; or "point". By
+        "length": forces per length times the weights of the points, independent of the mesh; or "point". By
         default "length" for cables, and "point" for `Model.contact`, which refuses "length".
     """
 
@@ -183,7 +183,7 @@ class RopeContact(Part[list[ContactPoint]]):
 
     @property
     def owner(self) -> str:
-        """What messages call it: the rope and the surface."""
+        """Its name in messages: the rope and the surface."""
         return f"contact of '{name_of(self.cables)}' with '{name_of(self.surface)}'"
 
     @property
@@ -268,7 +268,7 @@ def find_surface(to: Lowering, surface: Any, owner: str) -> Surface:
 
 
 def name_of(given: Any) -> str:
-    """Return the the name of a surface or rope that may be given by its name."""
+    """Return the name of a surface or rope that may be given by its name."""
     return given if isinstance(given, str) else str(getattr(given, "name", given))
 
 

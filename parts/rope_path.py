@@ -128,7 +128,7 @@ def taut_path(owner: str, circles: Sequence[PathCircle], closed: bool = False) -
         Fewer than two circles or points, circles that overlap, a straight part that cuts a circle.
     """
     if len(circles) < 2:
-        raise ModelError(f"{owner}: the path has {len(circles)} place; give two or more")
+        raise ModelError(f"{owner}: the path has {len(circles)} entry; give two or more")
     unknown = [i for i, c in enumerate(circles) if c.radius and not c.sense]
     if len(unknown) > MOST_SENSES:
         raise ModelError(

@@ -23,7 +23,7 @@ class RopePlane:
 
     def __init__(self, to: Lowering, owner: str, path: Sequence[Place], closed: bool = False) -> None:
         if not isinstance(path, (list, tuple)) or len(path) < 2:
-            raise ModelError(f"{owner}: path {path!r} has fewer than two places; give a list")
+            raise ModelError(f"{owner}: path {path!r} is not a list of two or more entries; give one")
         items = [_with_sense(owner, place) for place in path]
         self.owner, self.closed = owner, closed
         self.items: list[tuple[Surface | Node, int]] = []
@@ -34,7 +34,7 @@ class RopePlane:
                 surface = find_surface(to, place, owner)
                 if not surface.radius:
                     raise ModelError(
-                        f"{owner}: '{place}' is a plane; name it in also=, the path runs over sheaves"
+                        f"{owner}: '{place}' is a plane, but the path runs over sheaves; name it in also="
                     )
                 self.items.append((surface, sense))
             else:
@@ -49,7 +49,7 @@ class RopePlane:
         walking = [surface.name for surface in self.surfaces if closed and surface.pitch]
         if walking:
             raise ModelError(
-                f"{owner}: it is closed, and the helical groove of '{walking[0]}' would move it sideways without end; "
+                f"{owner}: it is closed, so the helical groove of '{walking[0]}' would move it sideways without end; "
                 "give the sheave an fx.RoundGroove(…)"
             )
         ends = (None, None) if closed else (self.items[0][0], self.items[-1][0])

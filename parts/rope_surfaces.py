@@ -44,7 +44,7 @@ class HelicalGroove(RoundGroove):
     Parameters
     ----------
     lead : float
-        Axial distance of two turns [m], negative for a left-handed helix; usually 1.1 to 1.2 rope diameters.
+        Axial distance between turns [m], negative for a left-handed helix; usually 1.1 to 1.2 rope diameters.
     start : sequence of float (3,), optional
         Direction from the axle, in global axes as drawn, in which the groove crosses the plane through the drum's
         centre; the global axis farthest from the axle by default.
@@ -91,8 +91,8 @@ class Sheave(Part[Surface]):
     radius: float = quantity(
         "m",
         "positive",
-        "Radius [] of the lowest point of a rope or sphere that touches: of the bottom of a round groove; a V is as "
-        "deep as this requires, and touches on both flanks, a little higher.",
+        "Radius [] at the lowest point of a rope or sphere in contact: that of the bottom of a round groove; a V is as "
+        "deep as this requires, and touches on both flanks, slightly higher.",
     )
     axle: Vector = array_quantity(
         "-",
@@ -147,7 +147,7 @@ class Plane(Part[Surface]):
     frame: Node | str = entry("Orientation of the body.")
     normal: Vector = array_quantity(
         "-",
-        "Normal towards what touches the plane, in global axes as drawn: (x, y, z), or (x, y) in a planar model.",
+        "Normal, towards the side of contact, in global axes as drawn: (x, y, z), or (x, y) in a planar model.",
         default=(0.0, 0.0, 1.0),
     )
 
@@ -190,7 +190,7 @@ def _groove(groove: Any, owner: str) -> tuple[str, Gaps, dict[str, Array]]:
     lead = number(groove.lead, owner, "lead")
     if lead == 0:
         raise ModelError(
-            f"{owner}: the lead of its groove is zero; give the axial distance of two turns, or fx.RoundGroove(…)"
+            f"{owner}: the lead of its groove is zero; give the axial distance between turns, or fx.RoundGroove(…)"
         )
     return "helical_groove", ROUND, flank | {"lead": np.array([lead])}
 

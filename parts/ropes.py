@@ -1,4 +1,4 @@
-"""Ropes around sheaves: a taut rope on its path, in contact with what it passes."""
+"""Ropes around sheaves: a taut rope on its path, in contact with the surfaces that it passes."""
 
 from __future__ import annotations
 
@@ -57,8 +57,8 @@ class RopePart(Part[Rope]):
 
     name: str = entry("Names of elements and nodes start with it, as for `cable_line`.")
     path: Sequence[Place] = entry(
-        "What the rope passes, in its order: nodes (points) at its ends, names of sheaves between; a drum at an end, "
-        "on which it is anchored in the direction of its circumference.  A pair (name, +1) or (name, -1) gives the "
+        "Path of the rope, in order: nodes (points) at its ends and names of sheaves in between; or a drum at an end, "
+        "to which it is anchored in the direction of its circumference.  A pair (name, +1) or (name, -1) gives the "
         "sense of wrap about the axle, which otherwise follows the shortest path.",
         form="sequence of str, nodes or pairs",
     )
@@ -68,7 +68,7 @@ class RopePart(Part[Rope]):
     radius: float | None = quantity(
         "m",
         "not negative",
-        "Radius of the rope; where its section has a diameter, it is half of that and need not be given.",
+        "Radius of the rope; half the diameter of its section by default.",
         default=None,
     )
     length: float | None = quantity(
@@ -80,14 +80,14 @@ class RopePart(Part[Rope]):
     tension: float | None = quantity(
         "N",
         "not negative",
-        "Uniform tension [] in the initial configuration, 0 by default; the rope lies in the sheaves as deep as in "
+        "Uniform tension [] in the initial configuration, 0 by default; the rope lies as deep in the sheaves as in "
         "equilibrium.",
         default=None,
     )
     turns: float | tuple[float, float] = array_quantity(
         "-",
         "Initial turns of rope on the drum, before the first straight part (after the last one for a drum at the end "
-        "of the path); a pair for drums at both ends, which otherwise have equally many.  In a `HelicalGroove` they "
+        "of the path); a pair for drums at both ends, which otherwise have the same number.  In a `HelicalGroove` they "
         "lie side by side; the first straight part then leaves the groove where it is nearest to the plane.",
         default=0.0,
     )
@@ -102,13 +102,13 @@ class RopePart(Part[Rope]):
         default=(),
     )
     closed: bool = entry(
-        "Make a belt: from the last sheave the path goes back to the first one, and it starts where it leaves that.",
+        "Make a belt: the path returns from the last sheave to the first, and starts where it leaves the first.",
         default=False,
     )
     EA: float | None = quantity(
         "N",
         "positive",
-        "Stiffness in tension [], as for `cable`; the rope is laid with it, also where its pages have another law.",
+        "Stiffness in tension [], as for `cable`; the rope is laid with it, even if its pages have another law.",
         default=None,
     )
     EI: float | None = quantity(
@@ -125,8 +125,8 @@ class RopePart(Part[Rope]):
     bending_damping: float = quantity(
         "s", "not negative", "Damping of bending [], as for `cable`.", default=0.0
     )
-    element: CompiledElement | None = entry("A cable page of your own, as for `cable`.", default=None)
-    law: CompiledLaw | None = entry("An elastic law of your own, as for `cable`.", default=None)
+    element: CompiledElement | None = entry("A user-defined cable page, as for `cable`.", default=None)
+    law: CompiledLaw | None = entry("A user-defined elastic law, as for `cable`.", default=None)
     parameters: Mapping[str, Any] | None = array_quantity(
         "",
         "Values of further parameters of these pages, as for `cable`.",

@@ -50,7 +50,7 @@ class _Round:
 
     @property
     def shear_centre(self) -> tuple[float, float]:
-        """Place (y, z) of the shear centre, the centroid [m]."""
+        """Position (y, z) of the shear centre, the centroid [m]."""
         return 0.0, 0.0
 
     def shear_factors(self, nu: float) -> tuple[float, float]:

@@ -71,7 +71,7 @@ class Rectangle:
 
     @property
     def shear_centre(self) -> tuple[float, float]:
-        """Place (y, z) of the shear centre, the centroid [m]."""
+        """Position (y, z) of the shear centre, the centroid [m]."""
         return 0.0, 0.0
 
     def largest_warping(self) -> float:
@@ -189,11 +189,11 @@ class IBeam(Flanged):
 
     @property
     def shear_centre(self) -> tuple[float, float]:
-        """Place (y, z) of the shear centre, the centroid [m]."""
+        """Position (y, z) of the shear centre, the centroid [m]."""
         return 0.0, 0.0
 
     def stresses(self, f: SectionForces) -> list[StressPoint]:
-        """Return stresses of flange tips and web; torsional shear T t / J is added on the safe side."""
+        """Return stresses of flange tips and web; torsional shear T t / J is added, conservatively."""
         check_forces(f, "IBeam")
         axial, twist = abs(f.N) / self.A, abs(f.T) / self.J
         bending = abs(f.My) * self.width / 2 / self.Iy + abs(f.Mz) * self.height / 2 / self.Iz

@@ -1,4 +1,4 @@
-"""Skates: the blade of a body on the ice."""
+"""Skates: the blade of a body on ice."""
 
 from __future__ import annotations
 
@@ -33,7 +33,9 @@ class Skate(Part[None]):
 
     name: str = entry("Name of the element with the slips.")
     body: Given = entry("The body with the blade, as in `revolute`.")
-    at: Vector = array_quantity("m", "Where the blade touches the ice, in global coordinates as drawn.")
+    at: Vector = array_quantity(
+        "m", "Point at which the blade touches the ice, in global coordinates as drawn."
+    )
     direction: Vector = array_quantity("-", "Direction of the blade, in global axes as drawn.")
     normal: Vector = array_quantity(
         "-", "Normal of the ice, a plane through `at`; the plane itself in a planar model.", default=UP

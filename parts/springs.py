@@ -27,12 +27,12 @@ Ranges = Mapping[str, tuple[float, float]]
 
 @part
 class Spring(Part[None]):
-    """Attach a spring, a damper or both: force = preload + stiffness e + damping ė, opposing growth of e.
+    """Attach a spring, a damper or both: force = preload + stiffness e + damping ė, opposing an increase of e.
 
     Raises
     ------
     ModelError
-        A quantity that cannot carry this spring, negative stiffness or damping, free length and preload together.
+        A quantity that cannot carry this spring, negative stiffness or damping, both free length and preload.
 
     Examples
     --------
@@ -46,8 +46,8 @@ class Spring(Part[None]):
 
     on: str | tuple[str, str] | list[str] = entry(
         "A deformation; or a coordinate of a point or planar angle, counted from its drawn value, for a spring to the "
-        "ground; or a slip, which takes damping alone.  A pair: the first less the second.  A list: up to six (or "
-        "three slips) that matrices couple.  All become free."
+        "ground; or a slip, which takes damping alone.  A pair: the first minus the second.  A list: up to six "
+        "(or three slips), coupled by matrices.  All become free."
     )
     stiffness: float | Sequence[Sequence[float]] | Array | Curve | Callable[..., Any] | None = array_quantity(
         "N/m or N m/rad",
@@ -57,26 +57,26 @@ class Spring(Part[None]):
     )
     damping: float | Sequence[Sequence[float]] | Array | Curve | Callable[..., Any] | None = array_quantity(
         "N s/m or N m s/rad",
-        "The same for the rate []: a curve that is zero at rest, or a formula of the rate.",
+        "The same for the rate []; a curve must be zero at rest, a formula is one of the rate.",
         default=None,
     )
     _: KW_ONLY
     free_length: Any = array_quantity(
         "m or rad",
         "Where the spring has no force []: for the ``elongation`` of a bar or beam its length, for any other "
-        "deformation its value, for a pair the difference.  Curves and formulas are functions of e less this value, or "
-        "of the length less this length; with ``free_length=0`` of the length itself.",
+        "deformation its value, for a pair the difference.  Curves and formulas are functions of e minus this value, "
+        "or of the length minus this length; with ``free_length=0``, of the length itself.",
         default=None,
         form="float or sequence of float, optional",
     )
     preload: Any = array_quantity(
         "N or N m",
-        "Force as drawn [], in place of a free length.",
+        "Force as drawn [], instead of a free length.",
         default=None,
         form="float or sequence of float, optional",
     )
     energy: Callable[..., Any] | None = entry(
-        "Stored energy [J] of a formula for the stiffness, of the same e; found as in `law` by default.",
+        "Stored energy [J] of a formula for the stiffness, of the same e; by default found as in `law`.",
         default=None,
     )
     ranges: Mapping[str, tuple[float, float]] | None = entry(
@@ -85,7 +85,7 @@ class Spring(Part[None]):
 
     @property
     def owner(self) -> str:
-        """What messages call it: by the quantities on which it acts."""
+        """Its name in messages: by the quantities on which it acts."""
         return _target(self.on).owner
 
     def lower(self, to: Lowering) -> None:
@@ -101,7 +101,7 @@ class Spring(Part[None]):
         if len(places) > DEFORMATIONS:
             raise ModelError(
                 f"{target.owner}: {len(places)} deformations; name 1 to {DEFORMATIONS}, each once; "
-                "several springs on some of them add up"
+                "springs that share deformations add up"
             )
         _add_laws(to, self, replace(target, names=places), " ".join(target.names))
 
@@ -146,7 +146,7 @@ def _target(on: Any) -> _Target:
     owner = f"spring between {shown}" if pair else f"spring on {shown}"
     if pair and len(on) != 2:
         raise ModelError(
-            f"{owner}: a pair has two names and {len(on)} are given; couple more by a list and matrices"
+            f"{owner}: a pair has two names, but {len(on)} are given; couple more with a list and matrices"
         )
     if len(set(on)) < len(on):
         remedy = "a quantity does not change against itself; name another one" if pair else "name each once"
@@ -196,7 +196,7 @@ def _damp_slips(to: Lowering, spring: Spring, target: _Target) -> None:
         raise ModelError(f"{target.owner}: {k} slips; name 1 to {SLIPS}, each once")
     if isinstance(spring.damping, Curve) or callable(spring.damping):
         raise ModelError(
-            f"{target.owner}: a slip takes a number or matrix for damping; for more compile a law with "
+            f"{target.owner}: a slip takes a number or matrix for damping; for others compile a law with "
             "fx.compile_law"
         )
     C = target.matrix(0.0 if spring.damping is None else spring.damping, "damping")
@@ -227,7 +227,7 @@ def _shaped(target: _Target, value: Any) -> bool:
     shaped = isinstance(value, Curve) or callable(value)
     if shaped and len(target.names) > 1:
         raise ModelError(
-            f"{target.owner}: a curve or formula acts on one deformation; measure the difference by an element, or "
+            f"{target.owner}: a curve or formula acts on one deformation; measure the difference with an element, or "
             "compile a law with fx.compile_law"
         )
     return shaped
@@ -279,7 +279,7 @@ def _free(to: Lowering, spring: Spring, target: _Target) -> Array:
         raise ModelError(f"{owner}: free_length without a stiffness has no effect; give one, or drop it")
     if spring.preload is not None:
         raise ModelError(
-            f"{owner}: free_length and preload are both given; drop one, it follows from the other"
+            f"{owner}: free_length and preload are both given; drop one, which follows from the other"
         )
     if target.shares is None:
         given = vector(spring.free_length, owner, "free_length", m)
@@ -321,12 +321,12 @@ class Stop(Part[None]):
     gap: float = quantity("m or rad", "any", "Deformation at which contact begins.")
     stiffness: float = quantity("N/m or N m/rad", "positive", "Stiffness of the contact.")
     damping: float = quantity(
-        "s/m or s/rad", "not negative", "Loss relative to the elastic force, for unit rate.", default=0.0
+        "s/m or s/rad", "not negative", "Dissipative force relative to the elastic force, at unit rate.", default=0.0
     )
 
     @property
     def owner(self) -> str:
-        """What messages call it: by the deformation on which it acts."""
+        """Its name in messages: by the deformation on which it acts."""
         return f"stop on '{self.name}'"
 
     @property
@@ -358,7 +358,7 @@ class MassDamping(Part[None]):
 
     @property
     def owner(self) -> str:
-        """What messages call it: by its element."""
+        """Its name in messages: by its element."""
         return f"mass_damping of '{self.element}'"
 
     @property

@@ -64,7 +64,7 @@ class UBeam(Flanged):
 
     @property
     def shear_centre(self) -> tuple[float, float]:
-        """Place (y, z) of the shear centre, from the centroid [m]: behind the web."""
+        """Position (y, z) of the shear centre, from the centroid [m]: behind the web."""
         return 0.0, self.web / 2 - self._walls[2] - self._back
 
     @property
@@ -162,7 +162,7 @@ class LBeam:
 
     @property
     def shear_centre(self) -> tuple[float, float]:
-        """Place (y, z) of the shear centre, from the centroid [m]: where the legs' middle lines meet."""
+        """Position (y, z) of the shear centre, from the centroid [m]: where the legs' middle lines meet."""
         y, z = self._turned(np.full((1, 2), self.thickness / 2))[0]
         return float(y), float(z)
 

@@ -30,7 +30,7 @@ class WarpingSection(Section, Protocol):
 
     @property
     def shear_centre(self) -> tuple[float, float]:
-        """Place (y, z) of the shear centre, from the centroid [m]."""
+        """Position (y, z) of the shear centre, from the centroid [m]."""
 
 
 def is_wanted(owner: str, warping: Any, stated: Mapping[str, Any], obstacles: Mapping[str, bool]) -> bool:
@@ -118,7 +118,7 @@ def _warping_constant(owner: str, section: Section) -> float:
     y, z = section.shear_centre
     if np.hypot(y, z) > OFF_CENTRE * np.sqrt((section.Iy + section.Iz) / section.A):
         raise ModelError(
-            f"{owner}: the shear centre of {kind} is at ({y:g}, {z:g}) m from its centroid, where torsion and bending "
-            "are coupled; warping needs a section with both in one place, such as IBeam or Rectangle"
+            f"{owner}: the shear centre of {kind} is at ({y:g}, {z:g}) m from its centroid, which couples torsion and "
+            "bending; warping needs a section with both in one place, such as IBeam or Rectangle"
         )
     return float(section.Iw)

@@ -39,11 +39,11 @@ class Waves:
     Parameters
     ----------
     amplitude, wavelength : float
-        From trough to crest, and of one wave [m].
+        Height from trough to crest, and length of one wave [m].
     start : float
         Where the first wave begins [m].
     count : int
-        Number of waves, whole: a fraction would end in a step.
+        Whole number of waves: a fraction would end in a step.
     heading : sequence of float (2,)
         Horizontal direction along which the road rises and falls.
     height : float
@@ -100,7 +100,7 @@ class Wheel(Part[None]):
     name: str = entry("Name of the element with the slips.")
     hub: Node | str = entry("Centre of the wheel.")
     frame: Node | str = entry("Orientation of the wheel.")
-    contact: Node | str = entry("The point where it touches the road.")
+    contact: Node | str = entry("The point at which it touches the road.")
     _: KW_ONLY
     radius: float = quantity("m", "positive", "Radius, from the axle to the outermost circle.")
     axle: Vector = array_quantity("-", "Direction of the axle in global axes as drawn.")
@@ -137,8 +137,8 @@ class Tyre(Part[None]):
     Raises
     ------
     ModelError
-        If the law has other arguments, or its parameters are not those given; if the axle is normal to the road,
-        the hub is not above it, or a plane and waves are both given.
+        If the law's arguments or parameters do not match; if the axle is normal to the road, the hub is not above it,
+        or a plane and waves are both given.
 
     Notes
     -----
@@ -153,7 +153,7 @@ class Tyre(Part[None]):
     _: KW_ONLY
     radius: float = quantity("m", "positive", "Radius of the unloaded tyre.")
     axle: Vector = array_quantity(
-        "-", "Direction of the axle in global axes as drawn; with the road's normal up, to the wheel's left."
+        "-", "Direction of the axle in global axes as drawn, to the wheel's left with the road's normal up."
     )
     normal: Vector = array_quantity("-", "Normal of the plane road normal·x = height.", default=UP)
     height: float = quantity("m", "any", "Height of the plane road.", default=0.0, called="road height")
@@ -162,8 +162,8 @@ class Tyre(Part[None]):
     )
     road: Waves | None = entry("A road with waves instead of the plane.", default=None)
     law: str | CompiledLaw | None = entry(
-        'A law of tyres, such as ``"linear_tyre"``, whose arguments are quantities of the tyre by their names; more '
-        "laws are added by `attach` and `law`.",
+        'A law of tyres, such as ``"linear_tyre"``, whose arguments are quantities of the tyre by name; add more '
+        "laws with `attach` and `law`.",
         default=None,
     )
     initial: Mapping[str, float] | None = array_quantity(
@@ -195,7 +195,7 @@ def _check_road(tyre: Tyre, road: object) -> None:
         raise ModelError(f"{tyre.owner}: road {road!r} is not known; give fx.Waves(amplitude, wavelength)")
     if np.any(vector(tyre.normal, tyre.owner, "road normal", 3) != UP) or tyre.height:
         raise ModelError(
-            f"{tyre.owner}: a plane and waves are both given; drop the plane: waves define a height, z up"
+            f"{tyre.owner}: a plane and waves are both given; drop the plane: waves define the height, with z up"
         )
 
 
@@ -260,7 +260,7 @@ def _rim(owner: str, frame: Array, radius: float, axle: Vector, normal: Vector) 
     a = unit(axle, owner, "axle")
     if np.linalg.norm(np.cross(a, unit(normal, owner, "road normal"))) < 1e-6:
         raise ModelError(
-            f"{owner}: its axle {tuple(a.tolist())} is normal to the road, so no point is lowest; tilt it"
+            f"{owner}: its axle {tuple(a.tolist())} is normal to the road, so it has no lowest point; tilt it"
         )
     return {"radius": np.array([radius]), "axle": matrix(frame).T @ a}
 

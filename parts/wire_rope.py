@@ -15,7 +15,7 @@ from flexel.parts.sections import check_forces
 
 @described
 class WireRope:
-    """Round stranded rope; its area is the metal's.
+    """Round stranded rope; its area is that of the metal.
 
     Parameters
     ----------
@@ -29,7 +29,7 @@ class WireRope:
 
     Notes
     -----
-    Bending: wires without friction between them, I = A d²/16 with the wire's diameter d, the lower bound.  A
+    Bending: wires without friction between them, I = A d²/16 with the wire's diameter d, a lower bound.  A
     tightly stretched rope is up to about ten times stiffer; give EI to `Model.cable` where that matters.
     """
 
@@ -63,7 +63,7 @@ class WireRope:
 
     @property
     def Iy(self) -> float:
-        """Second moment of area of all wires, each about itself [m⁴]."""
+        """Second moment of area of all wires, each about its own axis [m⁴]."""
         return self.A * self.wire**2 / 16
 
     @property
@@ -73,7 +73,7 @@ class WireRope:
 
     @property
     def J(self) -> float:
-        """Polar second moment of all wires, each about itself [m⁴]."""
+        """Polar second moment of all wires, each about its own axis [m⁴]."""
         return 2 * self.Iy
 
     def shear_factors(self, nu: float) -> tuple[float, float]:

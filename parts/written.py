@@ -1,4 +1,4 @@
-"""What can be written of a value that a user gave: its constructor with arguments, or the name to import it by.
+"""The written form of a value that a user gave: its constructor with arguments, or the name to import it by.
 
 Programs (`flexel.parts.model_program`) and files (`flexel.parts.model_file`) write the same values.
 """
@@ -65,7 +65,7 @@ def constructor_named(name: str, owner: str) -> Any:
         known = isinstance(kind, type) and (is_dataclass(kind) or kind in CONSTRUCTED)
     if not known:
         raise ModelError(
-            f"{owner}: {name!r:.40} is no object of flexel; load the file with the version that wrote it"
+            f"{owner}: {name!r:.40} is not a flexel object; load the file with the version that wrote it"
         )
     return kind
 
@@ -121,7 +121,7 @@ def import_name(value: object, owner: str, what: str) -> tuple[str, str]:
         return module, name
     shown = name if isinstance(name, str) else f"{value!r:.60}"
     raise ModelError(
-        f"{owner}: {what} {shown} cannot be imported by a name, so a program or a file cannot refer to it; define it "
+        f"{owner}: {what} {shown} cannot be imported by name, so a program or a file cannot refer to it; define it "
         "in a module, outside of functions and classes"
     )
 
@@ -136,7 +136,7 @@ def imported(module: str, name: str, owner: str) -> Any:
         ) from error
     found = _found(module, name)
     if found is None:
-        raise ModelError(f"{owner}: the module '{module}' has no '{name}'; give the version that has it")
+        raise ModelError(f"{owner}: the module '{module}' has no '{name}'; use the version that has it")
     return found
 
 

@@ -38,7 +38,7 @@ from flexel.model.structure import Structure
 
 
 class CoreSystem:
-    """A built mechanism: what all analyses work on.
+    """A built mechanism, on which all analyses work.
 
     Attributes
     ----------
@@ -203,7 +203,7 @@ class CoreSystem:
         return choice.dy.copy()
 
     def residual(self, t: float, q: Array, qd: Array, qdd: Array, guess: State) -> Array:
-        """Return the residual of the equations of motion, H'(M a + h - f + De' sigma + V' tau) (nd,); zero if true.
+        """Return the residual of the equations of motion, H'(M a + h - f + De' sigma + V' tau) (nd,); zero if met.
 
         Parameters
         ----------

@@ -84,7 +84,7 @@ def _constraints(report: ConstraintReport) -> Iterator[Finding]:
             yield Finding(
                 "note",
                 "constraints",
-                f"in place of '{name}' equally well: {quoted(declared(others, report.added))}",
+                f"alternatives to '{name}': {quoted(declared(others, report.added))}",
             )
     for share in report.motions[:MAX_MOTIONS_SHOWN]:
         yield Finding(

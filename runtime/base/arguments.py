@@ -151,12 +151,12 @@ def storable(name: str, kind: str) -> str:
     """Return a name that every file format holds and no spreadsheet reads as a formula, or raise a ModelError."""
     if any(category(letter) in ("Cc", "Cs") for letter in name):
         raise ModelError(
-            f"{kind} {name!r}: a name has no control characters and no halves of characters, which files cannot hold; "
-            "choose another"
+            f"{kind} {name!r}: a name cannot contain control characters or unpaired surrogates, which files cannot "
+            "hold; choose another"
         )
     if name[:1] in FORMULAS:
         raise ModelError(
-            f"{kind} {name!r}: a spreadsheet takes what begins with {name[0]} for a formula; choose another name"
+            f"{kind} {name!r}: a spreadsheet reads a name that begins with {name[0]} as a formula; choose another"
         )
     return name
 
@@ -203,7 +203,7 @@ def span(xp: Array, xq: Array, owner: str) -> tuple[Array, float]:
     length = float(np.linalg.norm(line))
     if length < 1e-12 * max(1.0, float(np.max(np.abs(xp)))):
         raise ModelError(
-            f"{owner}: its two points coincide at {tuple(xp.tolist())}; the element has no length, move one"
+            f"{owner}: its two points coincide at {tuple(xp.tolist())}, so the element has no length; move one"
         )
     return line / length, length
 

@@ -2,7 +2,7 @@
 
 Measured with two processors, choosing degrees of freedom of a vehicle (187 coordinates): 20 ms in one thread; with two
 21 ms on an idle machine, 150 to 600 ms on a busy one, and 870 ms each from eight threads at once, instead of 15 ms.
-Every analysis that a user calls is one of these: `in_one_thread` stands at its door.
+Every analysis that a user calls is one of these, and has the decorator `in_one_thread`.
 """
 
 from __future__ import annotations

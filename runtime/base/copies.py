@@ -58,7 +58,7 @@ def check_travels(owner: str, function: object, remedy: str = REMEDY) -> None:
         raise error
     if error is not None and not _by_value():
         raise ModelError(
-            f"{owner}: {function!r} cannot be pickled, and so not sent to another process ({error}); {remedy}"
+            f"{owner}: {function!r} cannot be pickled and sent to another process ({error}); {remedy}"
         ) from error
 
 

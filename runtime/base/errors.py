@@ -46,7 +46,7 @@ class DynamicsError(FlexelError, RuntimeError):
 
 
 class CoordinateWarning(UserWarning):
-    """The degrees of freedom are nearly singular at a state: the message names them, and those used in their place."""
+    """The degrees of freedom are nearly singular at a state: the message names them, and those used instead."""
 
 
 class AuditWarning(UserWarning):
@@ -66,7 +66,7 @@ class UnsteadyWarning(UserWarning):
 
 
 class AssemblyWarning(UserWarning):
-    """A drawing contradicts rigid conditions: the message names them, and the coordinates that are moved."""
+    """A drawing violates rigid conditions: the message names them, and the coordinates that are moved."""
 
 
 class ModelWarning(UserWarning):
@@ -78,7 +78,7 @@ class UnstableWarning(UserWarning):
 
 
 class RangeWarning(UserWarning):
-    """A state is beyond the data of a law, or beyond the deformations for which an element is accurate; by name."""
+    """A state is beyond the data of a law, or beyond the deformations for which an element is accurate; names it."""
 
 
 class StiffWarning(UserWarning):

@@ -120,8 +120,8 @@ class Jet:
 
     def __float__(self) -> float:
         raise TypeError(
-            "the time was given to math.*, float() or a function such as np.interp, which have no rates; use operators "
-            "and elementary functions of NumPy (np.sin, not math.sin), and for values at given times "
+            "the time was passed to math.*, float() or a function such as np.interp, which have no rates; use "
+            "operators and elementary functions of NumPy (np.sin, not math.sin), and for values at given times "
             "fx.Table(times, values, kind='linear')"
         )
 

@@ -1,4 +1,4 @@
-"""What the fields of parts, sections and materials mean: unit, sign, and one line of text."""
+"""Meaning of the fields of parts, sections and materials: unit, sign, and one line of text."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ class Meaning:
     form : str, optional
         What documentation calls its type; its annotation in words by default.
     named : callable, optional
-        The object that a text in place of it stands for, such as a material; None if there is none of that name.
+        The object that a text stands for, such as a material; None if there is none of that name.
     """
 
     text: str
@@ -114,7 +114,7 @@ def entry(
     form : str, optional
         What documentation calls the type; by default the annotation in words.
     named : callable, optional
-        The object that a text in place of it stands for, whose numbers are then parameters; None if there is none.
+        The object that a text stands for, whose numbers are then parameters; None if there is none.
     """
     return field(default=default, metadata={"meaning": Meaning(text, spread=spread, form=form, named=named)})
 

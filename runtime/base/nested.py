@@ -31,14 +31,14 @@ class Within:
     Raises
     ------
     ModelError
-        Where functions call one another without end.
+        If functions call one another endlessly.
     """
 
     def __enter__(self) -> None:
         if _HERE.depth == MAX_DEPTH:
             raise ModelError(
-                "the function evaluates the system that calls it, without end; let it use a system without this "
-                "function, built from another model"
+                "the function endlessly evaluates the system that calls it; let it use a system without this function, "
+                "built from another model"
             )
         _HERE.depth += 1
 

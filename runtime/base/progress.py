@@ -42,7 +42,7 @@ def in_notebook() -> bool:
 
 
 def seen(progress: bool | None, owner: str) -> bool:
-    """Whether a progress bar is shown: as asked for, by default where stderr is a terminal, and in a notebook."""
+    """Whether a progress bar is shown: as requested, by default where stderr is a terminal, and in a notebook."""
     if progress is None:
         return sys.stderr.isatty() or in_notebook()
     return flag(progress, owner, "progress")

@@ -67,7 +67,7 @@ def from_matrix(R: Array) -> Array:
 
 
 def turn(axis: Any, angle: float) -> Array:
-    """Return the unit quaternion of a turn by `angle` [rad] about `axis` (3,); for `Model.frame(..., orientation=)`."""
+    """Return the unit quaternion of a rotation by `angle` [rad] about `axis` (3,), for `Model.frame(orientation=…)`."""
     u, angle = unit(axis, "turn", "axis"), number(angle, "turn", "angle")
     return np.concatenate([[np.cos(angle / 2)], np.sin(angle / 2) * u])
 

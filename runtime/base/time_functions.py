@@ -127,7 +127,7 @@ def _finite(values: tuple[float, float, float], owner: str, t: float) -> tuple[f
     if math.isfinite(values[0]) and math.isfinite(values[1]) and math.isfinite(values[2]):
         return values
     raise ModelError(
-        f"{owner}: value, rate and acceleration at t = {t:g} s are {values}; they must be finite, correct the function"
+        f"{owner}: value, rate and acceleration at t = {t:g} s are {values}, but must be finite; correct the function"
     )
 
 
@@ -208,7 +208,7 @@ class Polynomial(Constant):
         c = array(self.coefficients, "Polynomial", "coefficients")
         if c.ndim != 1 or not c.size:
             raise ModelError(
-                f"Polynomial: coefficients {self.coefficients!r}; give a list of one number or more"
+                f"Polynomial: coefficients {self.coefficients!r}; give a list of one or more numbers"
             )
 
     def rates(self, t: float) -> tuple[float, float, float]:

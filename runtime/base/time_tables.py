@@ -20,7 +20,7 @@ UNSEEN = (
 
 
 class Table:
-    """Values at given times, with an interpolation between them.
+    """Values at given times, interpolated in between.
 
     Parameters
     ----------
@@ -36,13 +36,13 @@ class Table:
     t, u, kind
         As given.
     knots : ndarray
-        Times at which the function is not smooth; steps of an integration end there. A knot of a spline is left out if
-        its jump in the third rate cannot be seen, as in a densely sampled smooth function.
+        Times at which the function is not smooth; steps of an integration end there. A knot of a spline is omitted if
+        its jump in the third rate is negligible, as in a densely sampled smooth function.
 
     Raises
     ------
     ModelError
-        Times that do not increase, too few values, an unknown kind; where it is evaluated: a time outside the table.
+        Times that do not increase, too few values, an unknown kind; on evaluation: a time outside the table.
     """
 
     def __init__(self, t: ArrayLike, u: ArrayLike, kind: str = "cubic") -> None:
@@ -96,7 +96,7 @@ def _check_times(times: Array, kind: str) -> None:
     number_words = {1: "one", 2: "two", 4: "four"}
     if times.ndim != 1 or times.size < MIN_VALUES[kind] or times[0] == times[-1] and times.size > 1:
         raise ModelError(
-            f"Table: times must be at least {number_words[MIN_VALUES[kind]]}, strictly increasing; give more"
+            f"Table: times must be strictly increasing, and at least {number_words[MIN_VALUES[kind]]}; give more"
         )
     gaps = np.diff(times)
     if kind == "linear" and np.all(gaps >= 0) and not np.any((gaps[1:] == 0) & (gaps[:-1] == 0)):

@@ -101,7 +101,7 @@ def branch(
         arc = follow(curve, points[0], (0.0, p_end), arcs, points.append, finish)
         if arc is not None:
             message = (
-                f"{len(points)} motions were found, the last step is {arc:.2g}: permit more or smaller steps"
+                f"{len(points)} motions were found, the last step is {arc:.2g}: allow more or smaller steps"
             )
     except FAILURES as error:
         message = str(error)

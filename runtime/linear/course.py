@@ -62,7 +62,7 @@ class Course:
         wrong = times[(times < first - slack) | (times > last + slack)]
         if wrong.size:
             raise LinearizationError(
-                f"along: time {wrong[0]:g} s lies outside the motion, {first:g}…{last:g} s; take a longer motion"
+                f"along: time {wrong[0]:g} s lies outside the motion, {first:g}…{last:g} s; use a longer motion"
             )
         return self.find(np.clip(times, first, last))
 
@@ -130,7 +130,8 @@ def held(system: CoreSystem, times: Array, period: float | None) -> Course:
     moving = (*system.kinematic, *system.structure.internal)
     if moving:
         raise LinearizationError(
-            f"along: {', '.join(moving)} cannot be held, their rates follow from the motion; give a motion or a state"
+            f"along: {', '.join(moving)} cannot be held, since their rates follow from the motion; give a motion or a "
+            "state"
         )
     motion = partial(_still, system.at_rest.q)
     return Course(times, partial(_driven, system, motion, [system.at_rest]), period)

@@ -48,7 +48,7 @@ class SpeedFamily:
         for name, off, of in (("M", M - M[0], M), ("C", polynomial[0][2] * w.max() ** 2, C)):
             if np.abs(off).max(initial=0.0) > 1e-7 * np.abs(of).max(initial=1e-300):
                 raise LinearizationError(
-                    f"a family of speeds: {name} is not a polynomial of the speed; the prescribed motion must depend "
+                    f"a family of speeds: {name} is not a polynomial in the speed; the prescribed motion must depend "
                     "on the phase alone"
                 )
         return cls(M[0], polynomial[0][:2], polynomial[1], polynomial[2], orbits[0].coefficients.names)

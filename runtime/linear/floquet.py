@@ -65,7 +65,7 @@ def multipliers(
                 return sorted_multipliers(new)
     raise LinearizationError(
         f"Floquet multipliers at {omega:g} rad/s: the transition matrix is accurate to {change:.1g} with "
-        f"{MAX_STEPS} steps, {tolerance:.1g} was requested; the period is long compared with the vibrations"
+        f"{MAX_STEPS} steps, but {tolerance:.1g} was requested; the period is long compared with the vibrations"
     )
 
 

@@ -117,6 +117,6 @@ def refined(
             if change < tolerance:
                 return last
     raise LinearizationError(
-        f"{owner}: accurate to {change:.1g} with {most} steps between two times, {tolerance:.1g} was requested; give "
-        "more times, or a larger tolerance"
+        f"{owner}: accurate to {change:.1g} with {most} steps between two times, but {tolerance:.1g} was requested; "
+        "give more times, or a larger tolerance"
     )

@@ -59,7 +59,7 @@ class FrequencyResponse:
 
     @property
     def phase(self) -> Array:
-        """Lead of the output [rad], without jumps of 2π (nf, outputs, inputs)."""
+        """Phase lead of the output [rad], without jumps of 2π (nf, outputs, inputs)."""
         return np.asarray(np.unwrap(np.angle(self.values), axis=0))
 
 
@@ -105,7 +105,7 @@ def _solved(matrices: tuple[Array, Array, Array, Array], omega: Array) -> Comple
             parts.append(C @ np.linalg.solve(1j * w * np.eye(len(A)) - A, B.astype(complex)) + D)
         except np.linalg.LinAlgError as error:
             raise LinearizationError(
-                "frequency_response: a frequency is that of a motion without damping, where the response is infinite; "
+                "frequency_response: a frequency is that of an undamped motion, where the response is infinite; "
                 "leave it out (0 Hz for a motion without stiffness)"
             ) from error
     return np.concatenate(parts)

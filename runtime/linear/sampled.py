@@ -56,14 +56,14 @@ class SampledLoop(Portable):
     def eigenvalues(self) -> ComplexArray:
         """Compute the eigenvalues of one period, largest first; the loop is stable if all are below one in magnitude.
 
-        An output that is replaced at each instant adds a zero, and each of `free` a one.
+        An output that is replaced at each instant adds an eigenvalue 0, and each of `free` an eigenvalue 1.
         """
         found = np.linalg.eigvals(self.state_matrix).astype(complex)
         return np.asarray(found[np.lexsort((found.imag, -np.abs(found)))])
 
     @property
     def stable(self) -> bool:
-        """Whether every small deviation decays, but for those of `free`, which stay as they are."""
+        """Whether every small deviation decays, except those of `free`, which remain as they are."""
         kept = self._bound()
         return bool(np.all(np.abs(np.linalg.eigvals(self.state_matrix[np.ix_(kept, kept)])) < 1.0))
 

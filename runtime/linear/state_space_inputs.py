@@ -56,7 +56,7 @@ class Inputs:
                     "load on it"
                 )
             if base in quantities:
-                raise LinearizationError(f"input '{name}': '{base}' is an input already; name it once")
+                raise LinearizationError(f"input '{name}': '{base}' is already an input; name it once")
             if name.startswith(DISPLACEMENT):
                 displaced.append(i)
             if prescribed:
@@ -99,7 +99,7 @@ class Inputs:
             if fast.max(initial=0.0) > 1e-9 * scale:
                 name = outputs[int(np.argmax(fast.max(axis=1)))]
                 raise LinearizationError(
-                    f"input '{self.labels[i]}': the output '{name}' contains its rate; take the acceleration as the "
+                    f"input '{self.labels[i]}': the output '{name}' contains its rate; use the acceleration as the "
                     f"input, \"{self.quantities[i]}''\""
                 )
             B, D = B.copy(), D.copy()

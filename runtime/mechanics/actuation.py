@@ -1,4 +1,4 @@
-"""Messages on prescribed quantities that actuators move, and the analyses that have no such motions."""
+"""Messages on prescribed quantities that actuators move, and on analyses that do not allow such motions."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ def unheld(structure: Structure, roles: Roles) -> DynamicsError:
     path, actuators = path_of(structure, roles)
     return DynamicsError(
         f"the actuators {quoted(actuators)} cannot hold the path of {quoted(path)}: here their forces do not move it "
-        "in all its directions, or a motion has no mass; keep the path away from this position (an arm that is "
-        "stretched?), or name actuators that move it without a spring between"
+        "in all its directions, or a motion has no mass; keep the path away from this position (a stretched "
+        "arm?), or name actuators that move it without a spring in between"
     )
 
 
 def refuse_actuators(structure: Structure, roles: Roles) -> None:
-    """Refuse what takes the forces of prescribed motions to act in the prescribed quantities.
+    """Refuse an analysis that assumes that the forces of prescribed motions act in the prescribed quantities.
 
     Raises
     ------
@@ -36,7 +36,7 @@ def refuse_actuators(structure: Structure, roles: Roles) -> None:
     if roles.actuated:
         path, actuators = path_of(structure, roles)
         raise ModelError(
-            f"the path of {quoted(path)} is held by the actuators {quoted(actuators)}: only simulate, by DOP853 or "
+            f"the path of {quoted(path)} is held by the actuators {quoted(actuators)}: only simulate, with DOP853 or "
             "RK45, computes such motions; prescribe the path without actuators, or apply their forces with m.load"
         )
 

@@ -30,7 +30,7 @@ def warn_replaced(own: Kinematics, other: Kinematics, t: float) -> None:
     mine, theirs = own.names(own.roles.dynamic), other.names(other.roles.dynamic)
     warnings.warn(
         f"the degrees of freedom {mine} are nearly singular at t = {t:g} s; {theirs} are used there: name others with "
-        "m.independent, or take another state",
+        "m.independent, or use another state",
         CoordinateWarning,
         stacklevel=outside(),
     )

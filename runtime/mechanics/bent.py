@@ -129,7 +129,7 @@ def bent(structure: Structure, times: ArrayLike, e: Array, x: Array) -> Bent:
     found.append(
         f"'{names[which]}' is {'twisted' if twists else 'bent'} by {angle:.0f}°"
         f"{instant(times, int(when))}{others}: its moments are about {100 * _error(angle, twists):.2g} % too small; "
-        f"{count} elements in place of each, or rotations='logarithmic', would do"
+        f"use {count} elements in place of each, or rotations='logarithmic'"
     )
     return Bent(angle, found)
 

@@ -119,7 +119,7 @@ def named_dofs(structure: Structure, names: Sequence[str] | None, owner: str) ->
         if structure.m <= i < first or i >= first + structure.nf:
             what = "a slip" if i < first else "fixed"
             raise ModelError(
-                f"{owner}: '{name}' is {what} and not a degree of freedom; name movable coordinates or deformations"
+                f"{owner}: '{name}' is {what}, not a degree of freedom; name movable coordinates or deformations"
             )
     return found
 

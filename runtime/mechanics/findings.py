@@ -46,12 +46,12 @@ class CheckReport:
 
     @property
     def errors(self) -> tuple[Finding, ...]:
-        """Findings that `Model.build` refuses."""
+        """Findings for which `Model.build` refuses the model."""
         return self._of("error")
 
     @property
     def warnings(self) -> tuple[Finding, ...]:
-        """Findings that are built, but are probably mistakes."""
+        """Findings that `Model.build` accepts, but that are probably mistakes."""
         return self._of("warning")
 
     @property

@@ -40,7 +40,7 @@ from flexel.model.state import State
 FREE = 1e-9  # size of an eigenvalue, relative to the largest, that counts as zero
 UNIT_S = 1.0  # time over which coefficients are compared where nothing vibrates [s]
 INSTEAD = (
-    "between its instants the loop is open; linearize().sampled() has the eigenvalues of the closed loop"
+    "between its instants the loop is open; linearize().sampled() gives the eigenvalues of the closed loop"
 )
 
 
@@ -119,7 +119,7 @@ class LinearizedSystem(Portable):
         Warns
         -----
         UnsteadyWarning
-            If the state accelerates, or prescribed motions let the coefficients vary in time.
+            If the state accelerates, or prescribed motions make the coefficients vary in time.
         """
         found = self._spectrum()
         self._check("eigenvalues", found[0])
@@ -143,8 +143,8 @@ class LinearizedSystem(Portable):
     def variation(self, values: Array | ComplexArray) -> float:
         """Return how much prescribed motions change M, C and K within a period of the slowest eigenvalue.
 
-        Relative to their largest entries.  Zero for equations that were pickled or read from a file, which have no
-        system any more.
+        Relative to their largest entries.  Zero for equations that were pickled or read from a file, which no longer
+        have a system.
         """
         changed: Callable[..., float] | None = getattr(self, "_changed", None)
         if changed is None or not self.prescribed:
@@ -197,8 +197,8 @@ class LinearizedSystem(Portable):
     def units(self) -> dict[str, str]:
         """Units of the degrees of freedom, their rates (``name'``), prescribed motions and internal states, by name.
 
-        A row of M, C or K is the generalized force dual to its degree of freedom, per unit of that of its column or of
-        its rates.
+        A row of M, C or K is the generalized force dual to its degree of freedom, per unit of the degree of freedom of
+        its column or of its rates.
         """
         s = self.state.structure
         own = {name: s.units[s.index[name]] for name in (*self.dofs, *self.prescribed)}

@@ -41,7 +41,7 @@ class Mode:
     HEAD: ClassVar[tuple[str, ...]] = ("mode", "eigenvalue [1/s]", "frequency [Hz]", "damping")
 
     def row(self) -> tuple[str, ...]:
-        """Return its line in a table of modes."""
+        """Return its row in a table of modes."""
         return self.name, self._eigenvalue, f"{self.hertz:.5g}", self._damping
 
     @prints
@@ -124,7 +124,7 @@ def places_of(names: Sequence[str], dynamic: Sequence[str]) -> Index:
     """
     if not checked_names(names, "reduced") or len(set(names)) < len(names):
         raise LinearizationError(
-            f"reduced: {names!r} given; name one dynamic degree of freedom or more, each once"
+            f"reduced: {names!r} given; name one or more dynamic degrees of freedom, each once"
         )
     for name in names:
         if name not in dynamic:

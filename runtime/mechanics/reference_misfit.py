@@ -39,8 +39,8 @@ class Misfit:
 
     def __str__(self) -> str:
         return (
-            f"the drawing contradicts rigid conditions: as drawn {self._named(self.violated)}, not 0; "
-            f"the assembly moves {self._named(self.moved)}; draw it so that they are met, or release one"
+            f"the drawing violates rigid conditions: as drawn {self._named(self.violated)}, not 0; "
+            f"the assembly moves {self._named(self.moved)}; correct the drawing, or release one"
         )
 
     def _named(self, values: dict[str, float]) -> str:

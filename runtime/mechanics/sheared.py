@@ -38,7 +38,7 @@ def sheared(names: Sequence[str], gamma: Array, times: ArrayLike) -> list[str]:
     return [
         f"'{names[int(which)]}' is sheared by {np.degrees(angle):.1f}°{instant(times, int(when))}: its moments are "
         f"about {100 * np.sin(angle) ** 2:.2g} % too small, whatever the number of elements; "
-        "rotations='logarithmic' would do"
+        "use rotations='logarithmic'"
     ]
 
 

@@ -38,7 +38,7 @@ def check_steady(what: str, off: float) -> None:
     """Warn the caller of a public method about a state with that acceleration."""
     if off > UNSTEADY:
         warnings.warn(
-            f"{what}: the state accelerates (its residual forces are {off:.2g} of those that balance), so these do not "
+            f"{what}: the state accelerates (its residual forces are {off:.2g} of the balancing ones), so these do not "
             "describe the motion that follows; linearize about system.equilibrium() or system.steady(state)",
             UnsteadyWarning,
             stacklevel=outside(),
@@ -51,7 +51,7 @@ def check_constant(what: str, change: float) -> None:
         warnings.warn(
             f"{what}: prescribed motions change the linearized equations by {change:.2g} of their largest coefficients "
             "within a slow vibration, so these are eigenvalues of frozen coefficients, which do not decide stability; "
-            "take system.periodic(period=…).multipliers() or system.along(…, period=…).multipliers()",
+            "use system.periodic(period=…).multipliers() or system.along(…, period=…).multipliers()",
             UnsteadyWarning,
             stacklevel=outside(),
         )

@@ -126,7 +126,7 @@ def _profile(beam: Instance, profile: SectionOfMaterial, size: float) -> Iterato
     if depth > SLENDER * size:  # an element of a wide leaf may be shorter than the leaf is wide
         text = (
             f": the section is {depth:.3g} m deep (twice the radius of gyration) in a model of {size:.3g} m; sections "
-            "are given in metres too, and a beam is longer than deep"
+            "are also given in metres, and a beam is longer than it is deep"
         )
         yield Suspicion("units", "beam", beam.name, text)
 
@@ -142,7 +142,7 @@ def _length(model: Lowering, instance: Instance) -> float | None:
 def _short(model: Lowering, instance: Instance, size: float) -> Iterator[Suspicion]:
     length = _length(model, instance)
     if length is not None and length < SHORT * size and instance.spec.family in ("beam", "truss"):
-        text = f": only {length:.3g} m long in a model of {size:.3g} m; join the ends in one point"
+        text = f": only {length:.3g} m long in a model of {size:.3g} m; join the ends at one point"
         yield Suspicion("elements", instance.spec.family, instance.name, text)
 
 

@@ -1,4 +1,4 @@
-"""Laws that depend on time: analyses of a motion that repeats itself, or does not change, must know of them."""
+"""Laws that depend on time: analyses of periodic or steady motions must account for them."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def refuse_steady(structure: Structure) -> None:
     law = timed_law(structure)
     if law is not None:
         raise PositionError(
-            f"steady: {described(law)}, so that no motion is steady; simulate it, or take an equilibrium at a time"
+            f"steady: {described(law)}, so no motion is steady; simulate it, or find an equilibrium at a given time"
         )
 
 
@@ -92,7 +92,7 @@ def check_period(evaluation: Evaluation, states: Sequence[State], period: float)
     for law in laws:
         if _changed(evaluation, law, now, later):
             raise LinearizationError(
-                f"periodic: {described(law)}, and not with the period {period:g} s: its force or its stiffness "
+                f"periodic: {described(law)}, but not with the period {period:g} s: its force or its stiffness "
                 "differs one period later; give a period of the law"
             )
 

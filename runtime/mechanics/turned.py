@@ -28,9 +28,9 @@ def turned(structure: Structure, times: ArrayLike, e: Array) -> list[str]:
     when, which = np.unravel_index(int(np.argmax(turns)), turns.shape)
     angle = float(turns[when, which])
     return [
-        f"the ends of '{names[which]}' are turned by {angle:.0f}° from one another{instant(times, int(when))}; "
+        f"the ends of '{names[which]}' are turned by {angle:.0f}° relative to one another{instant(times, int(when))}; "
         f"this may be {360 - angle:.0f}° the other way, since only angles below 180° are known within one "
-        "element: two elements in place of each would do"
+        "element: use two elements in place of each"
     ]
 
 

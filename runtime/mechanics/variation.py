@@ -1,4 +1,4 @@
-"""How much the coefficients of linearized equations change while prescribed motions go on.
+"""How much the coefficients of linearized equations change while prescribed motions continue.
 
 The eigenvalues of equations whose coefficients vary in time are those of frozen coefficients: a vibration of the
 support can make a stable pendulum unstable, and a rotor in an unsymmetric bearing has no constant coefficients at all.
@@ -30,7 +30,7 @@ def variation(
 ) -> float:
     """Return the largest change of the forces of M, C and K in a vibration, relative to the largest force.
 
-    Degrees of freedom keep their rates; prescribed motions go on. Zero without prescribed motions that move, and where
+    Degrees of freedom keep their rates; prescribed motions continue. Zero without prescribed motions that move, and if
     degrees of freedom do not keep their rates: then the state is not one of a motion about which anything vibrates.
 
     Parameters

@@ -1,4 +1,4 @@
-"""Where the forces act that move prescribed quantities: in the quantities themselves, or in actuators elsewhere."""
+"""Where the forces that move prescribed quantities act: in the quantities themselves, or in actuators elsewhere."""
 
 from __future__ import annotations
 
@@ -54,7 +54,7 @@ def _check(model: Lowering, structure: Structure, role: Mapping[str, str], name:
             f"actuator '{name}' is a slip; name a deformation, such as the angle of a hinge, or a coordinate"
         )
     if name in model.motions:
-        raise ModelError(f"actuator '{name}' is prescribed too; name what is free to follow")
+        raise ModelError(f"actuator '{name}' is also prescribed; name a quantity that is free to follow")
     if i >= kinds + structure.nf:
         raise ModelError(f"actuator '{name}' is fixed and moves nothing; release the node")
     if role.get(name) == "rigid":

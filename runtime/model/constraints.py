@@ -40,13 +40,13 @@ class ConstraintReport:
     redundant : list of dict
         States of self-stress (over-constraint): shares of the redundant conditions, the largest scaled to 1.
     release : list of str
-        Conditions whose release removes all redundancy: of beams that are otherwise flexible where these suffice, then
-        of joints, then of rigid beams.
+        Conditions whose release removes all redundancy: of otherwise flexible beams if these suffice, then of joints,
+        then of rigid beams.
     alternatives : dict of str to list of str
         For each of `release`, the conditions that may be released instead: together they form a smallest set
         of dependent conditions.  All other sets of releases follow from such exchanges, one at a time.
     added : frozenset of str
-        Quantities of the points and links that joints add to bodies, which are printed where nothing else is concerned.
+        Quantities of the points and links that joints add to bodies, printed only if nothing else is concerned.
     """
 
     dofs: int
@@ -64,7 +64,7 @@ class ConstraintReport:
         if self.release:
             lines.append(f"release {quoted(self.release)}")
         lines += [
-            f"in place of '{name}' equally well: {quoted(declared(others, self.added)) or 'none'}"
+            f"alternatives to '{name}': {quoted(declared(others, self.added)) or 'none'}"
             for name, others in self.alternatives.items()
         ]
         return "\n".join(lines)

@@ -61,7 +61,7 @@ class Controller(Constant):
     delay : float
         From an instant to the change of the outputs [s].
     windup : AntiWindup or None
-        What happens to the own state while an output is beyond its limits.
+        What happens to its state while an output is beyond its limits.
     """
 
     name: str
@@ -86,7 +86,7 @@ class Controller(Constant):
 
     @cached_property
     def own(self) -> tuple[str, ...]:
-        """Names of the own state, ``name.x0``, ``name.x1``, …"""
+        """Names of its states, ``name.x0``, ``name.x1``, …"""
         return tuple(f"{self.name}.x{i}" for i in range(self.rule.nx))
 
     @cached_property
@@ -120,7 +120,7 @@ class Controller(Constant):
         return np.minimum(np.maximum(u, self.low), self.high)
 
     def advanced(self, t: float, y: Array, x: Array) -> tuple[Array, Array]:
-        """Return the limited outputs (nu,), and the own state after the instant or its rate (nx,)."""
+        """Return the limited outputs (nu,), and the state after the instant or its rate (nx,)."""
         u, new = self.rule(t, y, x)
         limited = self.limited(u)
         if self.windup is not None and np.any(u != limited):
@@ -132,7 +132,7 @@ class Controller(Constant):
         return np.array([read(state, name) for name in self.inputs])
 
     def remembered(self, state: MeasuredState) -> Array:
-        """Return the own state (nx,) at a state."""
+        """Return the controller's state (nx,) at a state of the mechanism."""
         return np.array([state[name] for name in self.own])
 
     def outputs_at(self, state: MeasuredState) -> Array:
@@ -140,7 +140,7 @@ class Controller(Constant):
         return self.advanced(state.t, self.measured(state), self.remembered(state))[0]
 
     def slopes(self, state: MeasuredState) -> Array:
-        """Return the derivatives (nu + nx, ny + nx) of outputs and own state, or its rate, by inputs and own state.
+        """Return the derivatives (nu + nx, ny + nx) of outputs and state, or its rate, by inputs and state.
 
         Raises
         ------
@@ -154,7 +154,7 @@ class Controller(Constant):
             if value <= low + small or value >= high - small:
                 raise LinearizationError(
                     f"{self.owner}: its output on '{name}' is at its limit ({low:g} … {high:g}) at t = {state.t:g} s, "
-                    "so it has no linearization there; linearize about a state in which it is within"
+                    "so it has no linearization there; linearize about a state in which it is within its limits"
                 )
         return self.rule.smooth_slopes(*given)
 

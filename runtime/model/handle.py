@@ -1,4 +1,4 @@
-"""What a declaration returns to the user: an object with a name, by which parts keep it."""
+"""The object that a declaration returns to the user; it has a name, by which parts keep it."""
 
 from __future__ import annotations
 

@@ -61,7 +61,7 @@ class _Row(Portable):
             if spec is None or spec.digest != digest:
                 raise ModelError(
                     f"{name} '{state['name']}': the pickle is from another version of flexel; build the model again, "
-                    "or pass results from one version to another with save and fx.load"
+                    "or transfer results between versions with save and fx.load"
                 )
             state = state | {"spec": spec}
         self.__dict__.update(state)

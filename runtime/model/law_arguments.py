@@ -1,4 +1,4 @@
-"""Checks of what a law acts on and of its numbers, before it becomes part of a model."""
+"""Checks of the arguments and numbers of a law, before it becomes part of a model."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def check_units(owner: str, spec: LawSpec, on: Sequence[str], units: Sequence[st
     for argument, name, unit in zip(spec.arguments, on, units, strict=False):
         if not argument.fits(unit):
             raise ModelError(
-                f"{owner}: '{name}' is in {unit}, which does not fit argument {argument}; give in this order"
+                f"{owner}: '{name}' is in {unit}, which does not fit argument {argument}; give them in this order"
                 f"{listed_arguments(spec)}"
             )
 

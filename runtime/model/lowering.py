@@ -132,7 +132,7 @@ class Lowering:
     def find_node(self, node: Node | str, owner: str) -> Node:
         """Return the node of that name, or a node of this model; raise a ModelError that names the owner otherwise."""
         if not isinstance(node, (Node, str)):
-            raise ModelError(f"{owner}: {node!r} is not a node; give its name, or what m.point(…) returned")
+            raise ModelError(f"{owner}: {node!r} is not a node; give its name, or the result of m.point(…)")
         name = node.name if isinstance(node, Node) else node
         if name not in self.nodes:
             raise ModelError(f"{owner}: {unknown(name, self.nodes, 'node')}")
@@ -174,8 +174,8 @@ class Lowering:
             return "coordinate"
         if node is not None and node.kind == "frame" and component == "norm":
             raise ModelError(
-                f"{owner}: '{name}' is the norm of the Euler parameters of frame '{part}', always constrained; name "
-                "another quantity"
+                f"{owner}: '{name}' is the norm of the Euler parameters of frame '{part}', which is always "
+                "constrained; name another quantity"
             )
         if element is not None and name in element.deformations:
             return "deformation"
@@ -282,7 +282,7 @@ class Lowering:
         label = label_of(on) if label is None else text(label, owner, "name")
         if spec.states and any(law.name == label and law.spec.states for law in self.laws):
             raise ModelError(
-                f"{owner}: there is a law '{label}' with internal states already; give another name"
+                f"{owner}: there is already a law '{label}' with internal states; give another name"
             )
         self.laws.append(LawInstance(label, spec, on[:m], on[m:], values, code, z0, called, knots))
 

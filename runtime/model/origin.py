@@ -1,4 +1,4 @@
-"""What a system was built from: the parts, so that variants with other numbers can be lowered again."""
+"""The origin of a system: its parts, from which variants with other numbers can be lowered again."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ class Origin(Constant):
 
     @cached_property
     def short_names(self) -> Mapping[str, str]:
-        """Names of numbers of objects within a part as if they were its own, such as ``rope.diameter``.
+        """Names of numbers of objects within a part as if they belonged to the part, such as ``rope.diameter``.
 
         Only where there is one such number: a body of two sections has no ``body.height``.
         """

@@ -1,4 +1,4 @@
-"""Parts of a model: what a user declares, kept as it was given.
+"""Parts of a model: the declarations of a user, kept as they were given.
 
 A part is a frozen dataclass.  Its fields carry their unit, the sign that they must have, their default and one line of
 meaning; `lower` turns it into nodes, elements, laws and roles.
@@ -37,7 +37,7 @@ class Lost:
 
 @part
 class Part(Constant, Generic[Made]):
-    """What a user declared by one call.
+    """A declaration that a user made by one call.
 
     Subclasses have the decorator `part`, fields and the method `lower`; ``m.add(Beam(…))`` is ``m.beam(…)``.
     """
@@ -59,13 +59,13 @@ class Part(Constant, Generic[Made]):
 
     @property
     def owner(self) -> str:
-        """What messages call it: its kind and its name."""
+        """Its name in messages: its kind and its name."""
         name = getattr(self, "name", None)
         return f"{kind_of(type(self))} '{name}'"
 
     @property
     def label(self) -> str | None:
-        """What its numbers are called by among parameters: its name; None for that of the first law that it makes."""
+        """Prefix of its parameters: its name; None for the name of the first law that it makes."""
         name = getattr(self, "name", None)
         return name if isinstance(name, str) else None
 

@@ -1,4 +1,4 @@
-"""What the core knows of the section and the material of a beam: forces, stresses, and the interface of a profile."""
+"""Section and material of a beam as the core sees them: forces, stresses, and the interface of a profile."""
 
 # ruff: noqa: N802 (the letters of mechanics: A, Iy, Iz, J)
 
@@ -42,7 +42,7 @@ class SectionForces:
 
 @dataclass(frozen=True)
 class StressPoint:
-    """Stress at one place of a section [Pa]: largest normal stress and shear stress there, both as absolute values."""
+    """Stress at one point of a section [Pa]: largest normal and shear stress there, both as absolute values."""
 
     place: str
     normal: float

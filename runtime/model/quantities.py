@@ -12,7 +12,7 @@ from flexel.model.structure import Structure
 
 @dataclass(frozen=True)
 class History:
-    """Return the quantity with a name.
+    """A time history: the value, rate, acceleration or force of a quantity.
 
     Attributes
     ----------
@@ -29,7 +29,7 @@ class History:
 
 
 def history(structure: Structure, name: str) -> History:
-    """Return the quantity with a name.
+    """Return the time history with a name.
 
     Raises
     ------
@@ -48,7 +48,7 @@ def history(structure: Structure, name: str) -> History:
         return History(base, order, rate_unit(unit, 1) if order else unit)
     if base in structure.commands:
         if order or name != base:
-            raise ModelError(f"'{name}': the output of a controller has a value only; leave the rest out")
+            raise ModelError(f"'{name}': the output of a controller has only a value; leave the rest out")
         controller, place = structure.commands[base]
         i = structure.index[controller.outputs[place]]
         slip = structure.m <= i < structure.m + structure.k

@@ -12,7 +12,7 @@ from flexel.model.node import Node
 
 @dataclass(frozen=True)
 class RigidBody(Handle):
-    """A rigid body as `Model.rigid_body` made it.
+    """A rigid body made by `Model.rigid_body`.
 
     Attributes
     ----------
@@ -20,7 +20,7 @@ class RigidBody(Handle):
     point, frame : Node
         Its mass centre and its orientation.
     points : mapping of str to Node
-        Further points, by the names that were given.
+        Further points, by name.
     """
 
     name: str

@@ -1,4 +1,4 @@
-"""Rules of controllers: outputs and own state from time, inputs and own state; linear ones and Python functions."""
+"""Rules of controllers: outputs and state from time, inputs and state; linear rules and Python functions."""
 
 from __future__ import annotations
 
@@ -18,15 +18,15 @@ KINK_TOLERANCE = 1e-3  # relative difference of slopes from which a function cou
 
 
 class Rule(Protocol):
-    """Outputs u (nu,) of a controller, and its own state after the instant or its rate (nx,)."""
+    """Outputs u (nu,) of a controller, and its state after the instant or its rate (nx,)."""
 
     @property
     def nx(self) -> int:
-        """Number of own states."""
+        """Number of states."""
         ...
 
     def __call__(self, t: float, y: Array, x: Array) -> tuple[Array, Array]:
-        """Return u and the own state (sampled) or its rate (continuous) from inputs y (ny,) and own state x (nx,)."""
+        """Return u and the state (sampled) or its rate (continuous) from inputs y (ny,) and state x (nx,)."""
         ...
 
     def slopes(self, t: float, y: Array, x: Array) -> Array:
@@ -40,7 +40,7 @@ class Rule(Protocol):
 
 @dataclass(frozen=True)
 class LinearRule(Constant):
-    """u = C x + D (r - y) with own state A x + B (r - y)."""
+    """u = C x + D (r - y) with the state A x + B (r - y)."""
 
     A: Array
     B: Array
@@ -50,7 +50,7 @@ class LinearRule(Constant):
 
     @property
     def nx(self) -> int:
-        """Number of own states."""
+        """Number of states."""
         return len(self.A)
 
     def __call__(self, t: float, y: Array, x: Array) -> tuple[Array, Array]:
@@ -67,7 +67,7 @@ class LinearRule(Constant):
 
 @dataclass(frozen=True)
 class FunctionRule(Constant):
-    """A Python function: u = function(t, y), or (u, own state or its rate) = function(t, y, x)."""
+    """A Python function: u = function(t, y), or (u, state or its rate) = function(t, y, x)."""
 
     owner: str
     function: Callable[..., Any]
@@ -97,7 +97,7 @@ class FunctionRule(Constant):
             return self._vector(found, self.nu, f"{at}: the function returned"), np.zeros(0)
         if not isinstance(found, tuple | list) or len(found) != 2:
             raise ModelError(
-                f"{at}: the function returned {found!r:.80}; with its own state it returns two values, "
+                f"{at}: the function returned {found!r:.80}; with a state it must return two values, "
                 "(outputs, state)"
             )
         u = self._vector(found[0], self.nu, f"{at}: the function returned outputs")
@@ -111,7 +111,7 @@ class FunctionRule(Constant):
             found = np.zeros(0)
         if found.size != size or not np.all(np.abs(found) <= LARGEST):
             numbers = "1 finite number" if size == 1 else f"{size} finite numbers"
-            raise ModelError(f"{what} {value!r:.80}; it returns {numbers}")
+            raise ModelError(f"{what} {value!r:.80}; it must return {numbers}")
         return found
 
     def _both(self, t: float, yx: Array) -> Array:
@@ -146,7 +146,7 @@ class FunctionRule(Constant):
             sides = np.abs(ahead - 2 * middle + behind) / h
             longer = np.abs((ahead - behind) / (2 * h) - found[:, j])
             if np.any(np.maximum(sides, longer) > KINK_TOLERANCE * scale):
-                what = f"input {j}" if j < y.size else f"own state {j - y.size}"
+                what = f"input {j}" if j < y.size else f"state {j - y.size}"
                 raise LinearizationError(
                     f"{self.owner}: the function is not smooth at t = {t:g} s (it has a kink or a jump over {what}), "
                     "so it has no linearization there; linearize about another state, or use a smooth function"

@@ -26,7 +26,7 @@ def _at_least_one(value: Any, owner: str, what: str) -> float:
 
 def _not_zero(value: Any, owner: str, what: str) -> float:
     if value == 0:
-        raise ModelError(f"{owner}: {what} is zero and would be divided by; give another value")
+        raise ModelError(f"{owner}: {what} is zero, but is a divisor; give another value")
     return float(value)
 
 
@@ -70,6 +70,6 @@ def refuse_negative(A: Array, owner: str, what: str) -> None:
     """Raise a ModelError for a symmetric matrix with a negative eigenvalue."""
     if np.linalg.eigvalsh(A)[0] < -1e-12 * float(np.max(np.abs(A))):
         raise ModelError(
-            f"{owner}: {what} {A.tolist()} has a negative eigenvalue; correct it, or state a softening spring as a "
+            f"{owner}: {what} {A.tolist()} has a negative eigenvalue; correct it, or give a softening spring as a "
             "formula with m.law"
         )

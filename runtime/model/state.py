@@ -1,4 +1,4 @@
-"""The state of a mechanism at one instant, complete: position to stresses, by name."""
+"""The complete state of a mechanism at one instant, from positions to stresses, by name."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ class Geometry(Protocol):
 
 @dataclass(frozen=True)
 class State:
-    """Positions, rates, accelerations and stresses at one time; its arrays cannot be written to.
+    """Positions, rates, accelerations and stresses at one time; its arrays are read-only.
 
     Attributes
     ----------
@@ -185,7 +185,7 @@ class State:
         return np.asarray(self.v[self.structure.places(node)])
 
     def outputs(self, element: str) -> dict[str, Array]:
-        """Return what an element reports besides its deformations, by name: arrays shaped as its definition gives.
+        """Return what an element reports in addition to its deformations: arrays by name, shaped as in its definition.
 
         Raises
         ------

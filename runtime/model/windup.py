@@ -1,4 +1,4 @@
-"""Anti-windup of controllers: what happens to the own state while an output is beyond its limits."""
+"""Anti-windup of controllers: what happens to their state while an output is beyond its limits."""
 
 from __future__ import annotations
 
@@ -17,26 +17,26 @@ Outputs = Callable[
 
 
 class AntiWindup(Protocol):
-    """A change of the own state that depends on how far the outputs exceed their limits."""
+    """A change of the state that depends on how far the outputs exceed their limits."""
 
     def __call__(self, x: Array, new: Array, excess: Array, outputs: Outputs) -> Array:
-        """Return the own state after an instant, or its rate (nx,).
+        """Return the state after an instant, or its rate (nx,).
 
         Parameters
         ----------
         x, new : ndarray (nx,)
-            The own state, and what the rule makes of it: its next value or its rate.
+            The state, and its next value or its rate by the rule.
         excess : ndarray (nu,)
-            Outputs of the rule less the limited ones.
+            Outputs of the rule minus the limited ones.
         outputs : callable
-            The outputs of the rule for another own state.
+            The outputs of the rule for another state.
         """
         ...
 
 
 @dataclass(frozen=True)
 class BackCalculation(Constant):
-    """The limited outputs less the outputs are fed back to the own state, or to its rate, with gains (nx, nu)."""
+    """The limited outputs minus the outputs are fed back to the state, or to its rate, with gains (nx, nu)."""
 
     gains: Array
 
@@ -52,9 +52,9 @@ class Clamping(Constant):
     Attributes
     ----------
     parts : ndarray (nu, nx)
-        Integral part of each output, from the own state.
+        Integral part of each output, from the state.
     states : ndarray (nx, nu)
-        Change of the own state for a change of these parts.
+        Change of the state for a change of these parts.
     """
 
     parts: Array
@@ -68,7 +68,7 @@ class Clamping(Constant):
 
 @dataclass(frozen=True)
 class Holding(Constant):
-    """The whole own state stops at an instant at which it would drive an output further beyond its limit."""
+    """The whole state stops at an instant at which it would drive an output further beyond its limit."""
 
     def __call__(self, x: Array, new: Array, excess: Array, outputs: Outputs) -> Array:
         """See `AntiWindup`."""

@@ -72,7 +72,7 @@ class Compliance:
             return dict(zip(self.directions, (1 / np.diag(C)).tolist(), strict=True))
 
     def stiffness_matrix(self, body_axes: bool = False) -> Array:
-        """Invert the compliance: forces when one direction moves and all others are held.
+        """Return the inverse of the compliance: forces when one direction moves and all others are held.
 
         Raises
         ------

@@ -54,7 +54,7 @@ def equilibrium(
     if settled is None:
         raise PositionError(
             f"no stable equilibrium found{problem.when(t)}: the one that was found is unstable, and a descent from it "
-            "reaches none; start nearer to one, or support what moves"
+            "reaches none; start nearer to one, or support the parts that move"
         )
     return FoundEquilibrium(problem.state(settled[0].balance), "")
 
@@ -121,7 +121,7 @@ def static_path(system: CoreSystem, t_end: float, start: State) -> tuple[list[St
     problem = Rest(system, start)
     end = number(t_end, "static_path", "t_end")
     if end == start.t:
-        raise ModelError(f"static_path: t_end is the time of the start, {end:g} s; give another")
+        raise ModelError(f"static_path: t_end is the time of the start, {end:g} s; give another time")
     return _follow(problem, start, problem.multipliers(start), start.t, end)
 
 
@@ -234,10 +234,10 @@ def _stopped(problem: Rest, states: list[State], p: float, arc: float, loaded: b
         return f"the search ended with {100 * p:.4g} % of the unbalanced forces removed; {deformed}"
     if arc >= ARCS.smallest:
         why = (
-            f"{ARCS.steps} steps were not enough: ask for a smaller load, or start again from the last state"
+            f"{ARCS.steps} steps were not enough: apply a smaller load, or start again from the last state"
         )
     else:
-        why = "a limit load may have been reached, otherwise use more elements where much is deformed"
+        why = "a limit load may have been reached; otherwise use more elements where deformations are large"
     top = max(states, key=lambda state: state.t)
     return (
         f"the path stopped at {100 * p:.4g} % of the load (t = {states[-1].t:g} s) after {len(states)} equilibria, arc "

@@ -37,7 +37,7 @@ def check_balance(owner: str, problem: Rest, q: Equations) -> None:
     unit = force_unit(s.units[first + worst], slip=False)
     warnings.warn(
         f"{owner}: the state is not in equilibrium: {residual[worst]:.3g} {unit} on '{s.names[first + worst]}' is not "
-        "balanced, so the result does not describe what follows from it; give the state of system.equilibrium()",
+        "balanced, so the result does not describe the motion that follows; give the state of system.equilibrium()",
         UnsteadyWarning,
         stacklevel=outside(),
     )
@@ -59,7 +59,7 @@ def check_rest(owner: str, problem: Rest, state: State, omega: Array) -> None:
     worst = int(np.argmax(rates))
     unit = rate_unit(s.units[first + worst], 1)
     warnings.warn(
-        f"{owner}: the state moves ('{s.names[first + worst]}' at {state.v[worst]:.3g} {unit}), and these are "
+        f"{owner}: the state moves ('{s.names[first + worst]}' at {state.v[worst]:.3g} {unit}), but these are "
         "vibrations about rest; system.linearize(state).modes() are those about the motion",
         UnsteadyWarning,
         stacklevel=outside(),

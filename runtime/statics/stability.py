@@ -51,7 +51,7 @@ class BucklingMode:
     HEAD: ClassVar[tuple[str, ...]] = ("multiplier", "largest changes")
 
     def row(self) -> tuple[str, ...]:
-        """Return its line in a table of modes."""
+        """Return its row in a table of modes."""
         return f"{self.multiplier:.6g}", largest(self.shape)
 
     @prints
@@ -155,7 +155,7 @@ class Vibration:
     HEAD: ClassVar[tuple[str, ...]] = ("frequency [rad/s]", "[Hz]", "largest changes")
 
     def row(self) -> tuple[str, ...]:
-        """Return its line in a table of vibrations."""
+        """Return its row in a table of vibrations."""
         return f"{self.omega:.6g}", f"{self.hertz:.6g}", largest(self.shape)
 
     @prints

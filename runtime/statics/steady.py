@@ -60,8 +60,8 @@ def steady_motion(
         return found.point
     raise PositionError(
         f"no steady motion found near the start after {found.iterations} iterations (residual forces "
-        f"{found.error:.3g} of the acting ones at {dict(zip(dofs, np.round(found.point.q, 6), strict=True))}); "
-        "start nearer, or name other unknowns"
+        f"{found.error:.3g} of the balancing ones at {dict(zip(dofs, np.round(found.point.q, 6), strict=True))}); "
+        "start nearer to it, or name other unknowns"
     )
 
 

@@ -108,5 +108,5 @@ def test_a_file_of_something_else_ends_in_one_line(command: tuple[object, ...], 
     name, *options = command
     result = call(name, file, *options)
     assert result.exit_code == 1
-    assert "this is not a model of flexel; give a file written by Model.save" in result.stderr
+    assert "this is not a flexel model; give a file written by Model.save" in result.stderr
     assert len(result.stderr.strip().splitlines()) == 1

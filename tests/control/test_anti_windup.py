@@ -216,7 +216,7 @@ def test_what_cannot_be_is_refused() -> None:
     for function, options, match in (
         ([[1.0]], {"anti_windup": 0.1}, "no state that could wind up"),
         (pid(None), {"anti_windup": 0.1, "limits": None}, "without limits nothing winds up; give limits="),
-        (pid(None), {"anti_windup": "clamp"}, "'clamp' is for sampled controllers; give a continuous one a time"),
+        (pid(None), {"anti_windup": "clamp"}, "'clamp' is for sampled controllers; for a continuous one give a time"),
         (pid(T), {"anti_windup": "clam"}, r"give a time constant \[s\], gains .*, or 'clamp'"),
         (pid(T), {"anti_windup": 0.01}, "time constant 0.01 s is less than the period 0.02 s"),
         (pid(T), {"anti_windup": -1}, "time constant -1 is not positive"),
@@ -225,7 +225,7 @@ def test_what_cannot_be_is_refused() -> None:
         (lagged, {"anti_windup": 0.1}, rf"no integrator \(a pole at 0\); {gains}"),
         (chain, {"anti_windup": 0.1}, rf"integrators in series; {gains}"),
         (unseen, {"anti_windup": 0.1}, "no output depends on an integrator"),
-        (sampled_function, {"anti_windup": 0.1, "state": [0, 0], "period": T}, "give a function gains"),
+        (sampled_function, {"anti_windup": 0.1, "state": [0, 0], "period": T}, "for a function give gains"),
     ):  # fmt: skip
         m = carriage()
         given: dict[str, Any] = {"limits": LIMITS, **options}

@@ -35,7 +35,7 @@ def test_names_are_checked_where_they_are_given() -> None:
     refused("inputs .*; name one or more, each once", inputs=[])
     refused("outputs .*; name one or more, each once", outputs=["A.x", "A.x"])
     refused(
-        "measures values and rates, and 'A.x''' depends on its own force; give it a period", inputs=["A.x''"]
+        "measures values and rates, but 'A.x''' depends on its own force; give it a period", inputs=["A.x''"]
     )
     refused("'A.x' is not a list of names", inputs="A.x")
     refused("a name is text without dots", name="a.b")
@@ -59,7 +59,7 @@ def test_sizes_and_settings() -> None:
     refused("state .* has shape", StateSpace(-1.0, [[1.0, 0]], 1.0, [[0, 0]]), state=[1, 2])
     refused("gains have no state", [[1.0, 2.0]], state=[0.0])
     refused("a function contains its reference", reference={"A.x": 1.0})
-    refused("the reference 'A.z' is not measured; it measures A.x, A.x'", [[1, 2]], reference={"A.z": 1.0})
+    refused("the reference 'A.z' is not an input; the inputs are A.x, A.x'", [[1, 2]], reference={"A.z": 1.0})
     refused("a continuous controller has no delay; give a period", delay=0.1)
     refused("delay -1 is negative", period=0.1, delay=-1.0)
     refused("period 0 is not positive", period=0.0)
@@ -101,12 +101,14 @@ def test_a_function_that_fails_is_named_with_the_time(period: float | None) -> N
     message = running(failing, period=period)
     assert "controller 'c' at t = 0.2" in message and "ZeroDivisionError: no brakes" in message
     assert "called with (t, y)" in message
-    assert "the function returned array([1., 2.]); it returns 1 finite number" in running(
+    assert "the function returned array([1., 2.]); it must return 1 finite number" in running(
         lambda t, y: np.array([1.0, 2.0]), period=period
     )
-    assert "returned nan; it returns 1 finite number" in running(lambda t, y: np.nan, period=period)
+    assert "returned nan; it must return 1 finite number" in running(lambda t, y: np.nan, period=period)
     assert "returned None" in running(lambda t, y: None, period=period)
-    assert "returns two values, (outputs, state)" in running(lambda t, y, x: 1.0, state=[0.0], period=period)
+    assert "it must return two values, (outputs, state)" in running(
+        lambda t, y, x: 1.0, state=[0.0], period=period
+    )
     assert "the function returned the state" in running(
         lambda t, y, x: (1.0, [1, 2]), state=[0.0], period=period
     )

@@ -154,7 +154,7 @@ def test_a_branch_that_is_not_finished_keeps_what_it_has_and_says_so() -> None:
     with pytest.warns(fx.IncompleteWarning, match="the branch stopped at 0.7"):
         found = duffing().periodic_branch(period=PERIOD, end=1.0, harmonics=1, most=3)
     assert len(found) == 4
-    assert "permit more or smaller steps" in found.message
+    assert "allow more or smaller steps" in found.message
 
 
 @pytest.mark.parametrize(

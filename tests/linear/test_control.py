@@ -118,7 +118,7 @@ def test_the_displacement_of_a_prescribed_motion_as_input() -> None:
         lin.state_space(["displacement:C.x"], ["B.x", "pivot.angle'"])
     with pytest.raises(fx.LinearizationError, match=r"'pivot.angle' is not prescribed"):
         lin.state_space(["displacement:pivot.angle"])
-    with pytest.raises(fx.LinearizationError, match=r"'C.x' is an input already"):
+    with pytest.raises(fx.LinearizationError, match=r"'C.x' is already an input"):
         lin.state_space(["C.x", "displacement:C.x"])
 
 

@@ -228,7 +228,7 @@ def refused(**given) -> Model:  # noqa: ANN003
             r"2 quantities \('B.x', 'B.z'\) and 1 actuator \('shoulder.angle'\); give as many",
         ),
         ({"actuators": ("shoulder.angle", "elbow.bend1")}, "'elbow.bend1' is rigid and moves nothing"),
-        ({"actuators": ("shoulder.angle", "B.z")}, "'B.z' is prescribed too"),
+        ({"actuators": ("shoulder.angle", "B.z")}, "'B.z' is also prescribed"),
         ({"actuators": ("shoulder.angle", "O.x")}, "'O.x' is fixed and moves nothing"),
         ({"actuators": ("shoulder.angle", "wrist.angle")}, "prescribe 'B.x': actuator"),
         ({"actuators": "shoulder.angle"}, "is not a list of names"),

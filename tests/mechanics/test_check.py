@@ -82,7 +82,7 @@ def test_redundant_conditions_and_what_to_release_are_listed() -> None:
         ({"material": fx.Material(E=210, rho=7850, nu=0.3)}, "E = 210 Pa looks like another unit"),
         ({"material": fx.Material(E=2.1e5, rho=7850, nu=0.3)}, "E = 2.1e+05 Pa"),
         ({"material": fx.Material(E=2.1e11, rho=7.85, nu=0.3)}, "density 7.85"),
-        ({"section": fx.Rectangle(0.3, 20)}, "is longer than deep"),
+        ({"section": fx.Rectangle(0.3, 20)}, "is longer than it is deep"),
     ],
 )
 def test_units_that_look_wrong_are_suspected(values: dict[str, object], words: str) -> None:

@@ -97,7 +97,7 @@ def test_exactly_the_listed_conditions_can_take_the_place_of_a_release(
 
 def test_the_report_and_the_check_print_them() -> None:
     m = parallel_guide()
-    line = "in place of 'a.bend2' equally well: 'a.bend1', 'b.bend1', 'b.bend2'"
+    line = "alternatives to 'a.bend2': 'a.bend1', 'b.bend1', 'b.bend2'"
     assert line in str(m.constraint_report())
     assert line in str(m.check())
 

@@ -140,7 +140,7 @@ LAWS = {
         lambda m: m.spring([f"d.{i}" for i in range(7)], np.eye(7)),
         "7 deformations",
         "name 1 to 6",
-        "several springs on some of them add up",
+        "springs that share deformations add up",
     ),
     "linear law twice on one": built(
         lambda m: m.spring(["pivot.angle"] * 2, np.eye(2)), "'pivot.angle'", "each once"

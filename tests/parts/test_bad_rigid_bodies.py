@@ -29,7 +29,7 @@ import flexel as fx
         ("screw 'z': pitch 0 lets the nut turn", lambda m: m.screw("z", "a", "b", AT, AXIS, pitch=0.0)),
         ("universal joint 'z': its pins are parallel", lambda m: m.universal("z", "a", "b", AT, AXIS, AXIS)),
         ("joint 'z': friction 3 are not numbers", lambda m: m.revolute("z", "a", "b", AT, AXIS, friction=3)),
-        ("rigid body 'ground': the ground exists already", lambda m: m.rigid_body("ground", (0, 0, 0))),
+        ("rigid body 'ground': the ground already exists", lambda m: m.rigid_body("ground", (0, 0, 0))),
         ("rigid body 'z': mass is given without inertia", lambda m: m.rigid_body("z", (0, 0, 0), mass=1.0)),
         ("body 'z_body': .* triangle", lambda m: m.rigid_body("z", (0, 0, 0), mass=1.0, inertia=(1, 1, 3))),
         ("point 'a': this name is taken", lambda m: m.rigid_body("a", (0, 0, 0))),
@@ -69,7 +69,7 @@ def test_a_planar_and_a_spatial_body_do_not_meet() -> None:
     m = fx.Model()
     m.rigid_body("a", (0, 0))
     m.rigid_body("b", (1, 0, 0))
-    with pytest.raises(fx.ModelError, match="revolute 'z': 'a' and 'b' are one planar and one spatial"):
+    with pytest.raises(fx.ModelError, match="revolute 'z': one of 'a' and 'b' is planar and one spatial"):
         m.revolute("z", "a", "b", (0, 0))
 
 
@@ -104,7 +104,7 @@ def test_names_of_the_nodes_of_the_ground_are_taken_once() -> None:
     m = fx.Model()
     m.rigid_body("a", (0, 0), mass=1.0, inertia=1.0)
     place, turned = m.point("ground_point", (0, 0), fixed=True), m.angle("other", fixed=True)
-    with pytest.raises(fx.ModelError, match="revolute 'z': 'ground_point' is a name in this model"):
+    with pytest.raises(fx.ModelError, match="revolute 'z': 'ground_point' is already a name in this model"):
         m.revolute("z", "ground", "a", (0, 0))
     m.revolute("z", (place, turned), "a", (0, 0))
     assert m.build().dynamic == ("z.angle",)

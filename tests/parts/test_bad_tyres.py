@@ -89,8 +89,8 @@ def test_arguments_of_a_law_are_compared_with_the_units_of_quantities() -> None:
     on = ["tyre.camber", "tyre.deflection", *MAGIC_ON[2:]]
     with pytest.raises(
         fx.ModelError,
-        match=r"'tyre.camber' is in rad, which does not fit argument deflection \[m\]; give in this order: deflection "
-        r"\[m\], camber \[rad\], forward \[m/s\], rolling \[rad/s\]",
+        match=r"'tyre.camber' is in rad, which does not fit argument deflection \[m\]; give them in this "
+        r"order: deflection \[m\], camber \[rad\], forward \[m/s\], rolling \[rad/s\]",
     ):
         m.attach("magic_formula", on, **MAGIC)
     with pytest.raises(

@@ -66,7 +66,7 @@ def test_a_belt_around_three_pulleys_touches_all() -> None:
 @pytest.mark.parametrize(
     ("path", "message"),
     [
-        (["SA"], "fewer than two places"),
+        (["SA"], "not a list of two or more"),
         (["SA", "A"], "'A'"),
         (["SA", "nothing"], "nothing"),
         (["SA", "SA"], "overlap"),

@@ -187,7 +187,7 @@ def test_wrong_couplings_are_refused_by_name() -> None:
     space = fx.Model()
     space.point("A", (0, 0, 0))
     space.frame("R")
-    with pytest.raises(fx.ModelError, match="quadric 's': all its factors are zero"):
+    with pytest.raises(fx.ModelError, match="quadric 's': all its coefficients are zero"):
         space.quadric("s", "A")
     with pytest.raises(fx.ModelError, match="rotary inertia 'J': a principal moment .* is negative"):
         space.rotary_inertia("J", "R", (1, -1, 1, 0, 0, 0))

@@ -80,7 +80,7 @@ def test_curves_that_cannot_be_are_refused() -> None:
         fx.Curve([[0.0, 1.0], [3.0]], breaks=[1.0])
     with pytest.raises(fx.ModelError, match="are not increasing; sort them"):
         fx.Curve([[0.0], [0.0], [0.0]], breaks=[2.0, 1.0])
-    with pytest.raises(fx.ModelError, match=f"give 1 to {PIECES} pieces and a break"):
+    with pytest.raises(fx.ModelError, match=f"give 1 to {PIECES} pieces, with a break"):
         fx.Curve([[0.0], [0.0]])
     with pytest.raises(fx.ModelError, match="piece 1 has 6 coefficients; give 1 to 5"):
         fx.Curve([[0.0] * 6])

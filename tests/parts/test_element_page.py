@@ -95,12 +95,12 @@ def test_a_page_says_what_its_symbols_are() -> None:
     ("x", "parameters", "says"),
     [
         ([0, 0, 1], {"l0": 1, "rhoA": 1}, "x has shape (3,); give 4 numbers: p.x, p.y, q.x, q.y"),
-        ({"p": (0, 0)}, {"l0": 1, "rhoA": 1}, "no value of q"),
+        ({"p": (0, 0)}, {"l0": 1, "rhoA": 1}, "no value for q"),
         ({"p": (0, 0), "q": 1}, {"l0": 1, "rhoA": 1}, "x of node 'q'"),
         ({"p": (0, 0), "r": (1, 1)}, {"l0": 1, "rhoA": 1}, "'r'"),
-        ([0, 0, 1, 1], {"l0": 1}, "no value of rhoA, mass per length [kg/m]"),
+        ([0, 0, 1, 1], {"l0": 1}, "no value for rhoA, mass per length [kg/m]"),
         ([0, 0, 1, 1], {"l0": 1, "rhoA": 1, "EA": 2}, "'EA'"),
-        ([0, 0, 1, 1], None, "no value of l0, undeformed length [m]; rhoA"),
+        ([0, 0, 1, 1], None, "no value for l0, undeformed length [m]; rhoA"),
         ([0, 0, 0, 0], {"l0": 1, "rhoA": 1}, "not finite"),
     ],
 )

@@ -127,7 +127,7 @@ def test_a_refused_leaf_leaves_the_model_as_it_was() -> None:
         with pytest.raises(fx.ModelError, match=message):
             m.leaf_spring("leaf", **(given | values))  # type: ignore[arg-type]
         assert list(m.nodes) == ["A", "RA", "B", "RB"] and not m.instances
-    with pytest.raises(fx.ModelError, match="a planar leaf spring has no direction"):
+    with pytest.raises(fx.ModelError, match="a planar leaf spring bends in its plane and has no direction"):
         bodies(True).leaf_spring(
             "leaf", "A", "RA", "B", "RB", section=SECTION, material="steel", direction=(0, 1, 0)
         )

@@ -207,7 +207,7 @@ def test_a_class_of_ones_own_is_no_linear_system_that_can_be_written(tmp_path: P
         """A system of the user."""
 
     m = controlled(Tuned(*MATRICES))
-    refused = "(?s)^controller 'controller': function .* cannot be imported by a name"
+    refused = "(?s)^controller 'controller': function .* cannot be imported by name"
     with pytest.raises(fx.ModelError, match=refused):
         m.program()
     with pytest.raises(fx.ModelError, match=refused):
@@ -257,14 +257,14 @@ def test_frozen_dataclasses_of_ones_own_are_written_with_their_arguments(tmp_pat
 
 @pytest.mark.parametrize("kind", [Counted, Changing], ids=lambda kind: str(kind.__name__))
 def test_other_objects_may_hold_more_than_their_arguments_and_are_refused(kind: Any) -> None:
-    with pytest.raises(fx.ModelError, match=f"value <?.*{kind.__name__}.* cannot be imported by a name"):
+    with pytest.raises(fx.ModelError, match=f"value <?.*{kind.__name__}.* cannot be imported by name"):
         loaded_with(kind(0.1)).program()
 
 
 def test_a_file_names_no_other_class_as_an_object(tmp_path: Path) -> None:
     path = loaded_with(Doubled(0.1)).save(tmp_path / "model.json")
     path.write_text(path.read_text().replace(f"{__name__}.Doubled", "subprocess.Popen"))
-    with pytest.raises(fx.ModelError, match="'subprocess.Popen' is no object of flexel"):
+    with pytest.raises(fx.ModelError, match="'subprocess.Popen' is not a flexel object"):
         fx.load(path)
 
 
@@ -304,7 +304,7 @@ REFUSED = {
 def test_what_has_no_import_name_is_refused_and_an_old_file_remains(name: str, tmp_path: Path) -> None:
     make, message = REFUSED[name]
     m = make()
-    expected = f"^{message}.* cannot be imported by a name, .*; define it in a module, outside of functions"
+    expected = f"^{message}.* cannot be imported by name, .*; define it in a module, outside of functions"
     with pytest.raises(fx.ModelError, match=expected):
         m.program()
     path = tmp_path / "model.json"
@@ -340,7 +340,7 @@ for write in (m.program, lambda: m.save("model.json")):
     lines = done.stdout.splitlines()
     assert len(lines) == 2
     assert all(
-        line.startswith("spring on 'A.x': stiffness force cannot be imported by a name") for line in lines
+        line.startswith("spring on 'A.x': stiffness force cannot be imported by name") for line in lines
     )
 
 
@@ -365,10 +365,10 @@ def part_with(**changes: Any) -> dict[str, Any]:
 
 
 DAMAGED: dict[str, tuple[Any, str]] = {
-    "newer": (content() | {"version": 2}, "its version is 2 and this flexel reads 1; update flexel"),
-    "another program's": (content() | {"format": "step"}, "this is not a model of flexel"),
-    "a list": ([1, 2], "this is not a model of flexel"),
-    "a number": (5, "this is not a model of flexel"),
+    "newer": (content() | {"version": 2}, "its version is 2, but this flexel reads 1; update flexel"),
+    "another program's": (content() | {"format": "step"}, "this is not a flexel model"),
+    "a list": ([1, 2], "this is not a flexel model"),
+    "a number": (5, "this is not a flexel model"),
     "without parts": ({"format": "flexel model", "version": 1, "gravity": [0, 0, 0]}, "it is malformed"),
     "parts that are a number": (content() | {"parts": 5}, "it is malformed"),
     "a part that is a list": (content() | {"parts": [["point"]]}, "it is malformed"),
@@ -377,8 +377,11 @@ DAMAGED: dict[str, tuple[Any, str]] = {
     "an unknown part": (part_with(part="pont"), "part 1: unknown part 'pont'.*point"),
     "an unknown field": (part_with(colour="red"), r"part 1 \(point\): .*'colour'"),
     "a missing field": (content() | {"parts": [{"part": "point", "name": "A"}]}, r"part 1 \(point\): .*position"),
-    "an unknown object": (part_with(position={"object": "Sphere", "arguments": {}}), "'Sphere' is no object"),
-    "an object that is a function": (part_with(position={"object": "load", "arguments": {}}), "'load' is no object"),
+    "an unknown object": (part_with(position={"object": "Sphere", "arguments": {}}), "'Sphere' is not a flexel object"),
+    "an object that is a function": (
+        part_with(position={"object": "load", "arguments": {}}),
+        "'load' is not a flexel object",
+    ),
     "an object with another argument": (
         part_with(position={"object": "Circle", "arguments": {"width": 1.0}}), "part 1.*width"
     ),
@@ -386,7 +389,7 @@ DAMAGED: dict[str, tuple[Any, str]] = {
         part_with(position={"object": "Circle", "arguments": {"diameter": -1.0}}), "diameter"
     ),
     "a system of an unknown kind": (
-        part_with(position={"object": "scipy.signal.lti", "arguments": {}}), "'scipy.signal.lti' is no object"
+        part_with(position={"object": "scipy.signal.lti", "arguments": {}}), "'scipy.signal.lti' is not a flexel object"
     ),
     "a system without matrices": (
         part_with(position={"object": "scipy.signal.StateSpace", "arguments": {}}), "it is malformed"
@@ -402,7 +405,7 @@ DAMAGED: dict[str, tuple[Any, str]] = {
     "an import of a number": (part_with(position={"import": 5}), "it is malformed"),
     "an empty import": (part_with(position={"import": []}), "it is malformed"),
     "an object without a kind": (part_with(position={"junk": 1}), "it is malformed"),
-    "an import of no part": (part_with(part=["math", "sin"]), "sin is not a kind of part"),
+    "an import of no part": (part_with(part=["math", "sin"]), "sin is not a known part"),
     "a value that the part refuses": (part_with(position=[0, "x", 0]), "point 'A'"),
     "ragged numbers": (part_with(position={"array": [[1, 2], [3]]}), "part 1|point 'A'|malformed"),
 }  # fmt: skip
@@ -465,6 +468,6 @@ def test_nothing_in_a_file_is_executed(tmp_path: Path) -> None:
     path.write_text(
         json.dumps(part_with(part=["subprocess", "Popen"], args=["touch", str(mark)])), encoding="utf-8"
     )
-    with pytest.raises(fx.ModelError, match="Popen is not a kind of part"):
+    with pytest.raises(fx.ModelError, match="Popen is not a known part"):
         fx.load(path)
     assert not mark.exists()

@@ -104,7 +104,7 @@ def test_a_class_that_cannot_be_imported_is_refused(tmp_path: Path) -> None:
     m = fx.Model()
     m.add(Local("here"))
     for write in (m.program, lambda: m.save(tmp_path / "model.json")):
-        with pytest.raises(fx.ModelError, match="^local 'here': class .*Local cannot be imported by a name"):
+        with pytest.raises(fx.ModelError, match="^local 'here': class .*Local cannot be imported by name"):
             write()
     assert not list(tmp_path.iterdir())
 

@@ -244,7 +244,7 @@ MISTAKES: list[tuple[dict[str, Any], str]] = [
     ({"at": (0, 0)}, r"contact 'touch' with 'floor': at \(0, 0\) has shape"),
     (
         {"frame": None, "at": (0, 0, 1)},
-        r"contact 'touch' with 'floor': a place at=\(0, 0, 1\) needs the body",
+        r"contact 'touch' with 'floor': a position at=\(0, 0, 1\) needs the body",
     ),
     (
         {"point": "O", "frame": "ground"},

@@ -132,7 +132,7 @@ def test_a_rope_is_not_laid_over_one_sheave_through_another_of_its_path() -> Non
         ({"turns": np.nan}, "turns nan is not finite"),
         ({"turns": "1"}, "turns '1' is not numeric"),
         ({"turns": (1, 2, 3)}, r"turns \(1, 2, 3\); give one number, or a pair"),
-        ({"turns": 2.0}, "turns 2.0 need a drum, and there is none"),
+        ({"turns": 2.0}, "turns 2.0 need a drum, but there is none"),
         ({"refine": 0}, "refine 0 is not positive"),
         ({"refine": np.nan}, "refine nan is not finite"),
         ({"refine": "2"}, "refine '2' is not numeric"),

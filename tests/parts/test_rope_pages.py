@@ -126,11 +126,11 @@ UNEQUAL = {
         ({"element": changed(kernels=FEWER)}, r"reports no tension; add Output\('tension', 'N', …\)"),
         (
             {"element": changed(kernels=UNEQUAL)},
-            r"at different numbers of places; report them at the same ones",
+            r"at different numbers of points; report them at the same ones",
         ),
         (
             {"element": changed(deformations=OWN_CABLE.spec.deformations[:4])},
-            r"other deformations than the built-in cable.*law=fx\.compile_law",
+            r"differ from those of the built-in cable.*law=fx\.compile_law",
         ),
         (
             OWN | {"element": changed(deformations=OWN_CABLE.spec.deformations[:4])},
@@ -138,7 +138,7 @@ UNEQUAL = {
         ),
         ({"law": OWN_LAW}, r"parameters of its pages are missing; give parameters=\{'hardening': …\}"),
         (OWN | {"parameters": {"hardning": 1.0}}, r"unknown parameter 'hardning'; did you mean hardening"),
-        (OWN | {"parameters": {"EA": 1.0}}, r"'EA' in parameters is an argument of its own; give EA=…"),
+        (OWN | {"parameters": {"EA": 1.0}}, r"'EA' in parameters has a separate argument; give EA=…"),
         (OWN | {"parameters": {"hardening": -1.0}}, r"hardening"),
         ({"parameters": {"hardening": 1.0}}, r"unknown parameter 'hardening'"),
     ],
@@ -154,12 +154,12 @@ def test_a_number_that_neither_page_takes_is_refused() -> None:
         OWN_LAW, spec=replace(spec, parameters=tuple(p for p in spec.parameters if p.name != "damping"))
     )
     with pytest.raises(
-        fx.ModelError, match=r"damping is given, and neither page has a parameter 'damping'.*leave it"
+        fx.ModelError, match=r"damping is given, but neither page has a parameter 'damping'.*leave it"
     ):
         over_a_sheave(**(OWN | {"law": law}))
 
 
 def test_a_planar_page_is_refused_in_space() -> None:
     m = fx.Model()
-    with pytest.raises(fx.ModelError, match=r"declare those of a cable here: \(point, slope, point, slope\)"):
+    with pytest.raises(fx.ModelError, match=r"declare those of a cable: \(point, slope, point, slope\)"):
         m.cable_line("c", [(0, 0, 0), (1, 0, 0)], 2, EA=1e5, EI=1.0, element=OWN_CABLE)

@@ -91,7 +91,7 @@ def test_sheave_that_the_rope_only_touches_has_no_arc() -> None:
 @pytest.mark.parametrize(
     ("places", "message"),
     [
-        ([circle("A", 0, 0, 0)], "has 1 place"),
+        ([circle("A", 0, 0, 0)], "has 1 entry"),
         ([circle("P", 0, 0, 0.5, 1), circle("Q", 0.6, 0, 0.4, -1)], "'P' and 'Q' overlap"),
         (
             [

@@ -196,7 +196,7 @@ def test_initial_curvature_has_the_sign_of_a_turn_about_its_axis(axis: int) -> N
         ({"section": SECTION, "material": "stell"}, "unknown material 'stell'; did you mean steel"),
         ({"material": "steel"}, "material is given without a section"),
         ({"section": 3.0, "material": "steel"}, "3.0 is not a section; give Rectangle"),
-        ({"section": SECTION, "material": "steel", "EA": 1.0}, "give EA already; drop these"),
+        ({"section": SECTION, "material": "steel", "EA": 1.0}, "already give EA; drop these"),
         ({"section": SECTION, "material": "steel", "flexible": ["bend3"]}, "one of bend3 and bend4"),
         (
             {"section": SECTION, "material": "steel", "flexible": ["shear"]},

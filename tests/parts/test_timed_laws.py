@@ -143,7 +143,7 @@ def test_the_floquet_multipliers_are_those_of_mathieus_equation() -> None:
 def test_a_period_that_a_law_does_not_have_is_refused() -> None:
     s = model().build()
     with pytest.raises(
-        fx.LinearizationError, match=r"'strut.elongation' depends on time, and not with the period 1 s"
+        fx.LinearizationError, match=r"'strut.elongation' depends on time, but not with the period 1 s"
     ):
         s.periodic(period=1.0, harmonics=3)
     assert s.periodic(period=2 * PERIOD, harmonics=3).period == pytest.approx(2 * PERIOD)
@@ -154,7 +154,7 @@ def test_steady_motion_and_other_speeds_are_refused() -> None:
     for rate in (2 * np.pi, OMEGA):
         s = model(lambda e, ed, t, w=rate: K * (2 + sympy.cos(w * t)) * e + ed).build()
         with pytest.raises(
-            fx.PositionError, match="'strut.elongation' depends on time, so that no motion is steady"
+            fx.PositionError, match="'strut.elongation' depends on time, so no motion is steady"
         ):
             s.steady()
         with pytest.raises(fx.LinearizationError, match="'strut.elongation' depends on time, and its speed"):
