@@ -1,4 +1,4 @@
-"""Implements `flexel show`: prints definitions and what is derived of them."""
+"""Implements `flexel show`: prints definitions and what is derived from them."""
 
 import click
 
@@ -6,7 +6,7 @@ from flexel.apps.cli.derive import PASSED_ON
 
 
 @click.command(
-    context_settings=PASSED_ON, short_help="Print a definition, its symbols, its C, its formulas in LaTeX."
+    context_settings=PASSED_ON, short_help="Print a definition, its symbols, C code, and formulas in LaTeX."
 )
 @click.argument("arguments", nargs=-1, type=click.UNPROCESSED)
 def show(arguments: tuple[str, ...]) -> None:

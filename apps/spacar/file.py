@@ -136,8 +136,8 @@ class SpacarFile(Portable):
     def stress(self, state: State, element: int, i: int) -> float:
         """Return the generalized stress conjugate to `deformation`, in SPACAR's sign.
 
-        In the Twente dialect that of a rigid beam is without the moments by which its own weight bends it, as in
-        SPACAR; they are in equilibrium and move nothing.
+        In the Twente dialect, the stress of a rigid beam excludes the moments by which its own weight bends
+        it, as in SPACAR; they are in equilibrium and move nothing.
         """
         name, factor = self._mode(element, i)
         self._check_state(state)
