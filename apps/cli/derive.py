@@ -5,7 +5,7 @@ import click
 PASSED_ON = {"ignore_unknown_options": True, "help_option_names": []}
 
 
-@click.command(context_settings=PASSED_ON, short_help="Write the C code of the elements, or of your own page.")
+@click.command(context_settings=PASSED_ON, short_help="Write the C code of elements, or of your own page.")
 @click.argument("arguments", nargs=-1, type=click.UNPROCESSED)
 def derive(arguments: tuple[str, ...]) -> None:
     """Pass everything on to flexel.derive, whose help is shown by `flexel derive --help`."""

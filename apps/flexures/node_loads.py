@@ -134,9 +134,7 @@ def _components(given: Any, owner: str, what: str) -> dict[int, float]:
                 raise ModelError(f"{owner}: {what}: {unknown(str(name), AXES, 'axis')}")
         return {AXES.index(name): number(value, owner, f"{what} in {name}") for name, value in given.items()}
     if not isinstance(given, (list, tuple, np.ndarray)) or np.shape(np.asarray(given, dtype=object)) != (3,):
-        raise ModelError(
-            f"{owner}: {what} {given!r:.60}; give three numbers, None where free, or {{'x': …}}"
-        )
+        raise ModelError(f"{owner}: {what} {given!r:.60}; give three numbers, None where free, or {{'x': …}}")
     return {
         i: number(value, owner, f"{what} in {AXES[i]}") for i, value in enumerate(given) if value is not None
     }

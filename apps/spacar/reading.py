@@ -113,9 +113,7 @@ def read_spacar(path: str | Path, dialect: str | None = None, *, warping: str = 
 
 def _increments(sheet: Sheet) -> int:
     """Return the number of load steps, the second number of ITERSTEP."""
-    found = sheet.problems.each(
-        lambda line: _count(line, 1, f"write ITERSTEP {FORM}"), sheet.of("ITERSTEP")
-    )
+    found = sheet.problems.each(lambda line: _count(line, 1, f"write ITERSTEP {FORM}"), sheet.of("ITERSTEP"))
     return found[0] if found else DEFAULT_STEPS
 
 

@@ -109,7 +109,7 @@ class Pool:
         if self.make is None:
             raise FlexelError(
                 f"the executor broke down ({str(cause).partition('.')[0]}); give another one, or a function that makes "
-                "it, which is called again after a breakdown"
+                "one, to be called again after a breakdown"
             ) from cause
         self.executor.shutdown(wait=False)
         self.executor = self.make()

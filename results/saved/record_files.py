@@ -104,7 +104,7 @@ def _assembled(path: Path, header: Mapping[str, Any], arrays: Mapping[str, Array
         header, [variable.values for variable in variables.values()]
     ):
         raise ModelError(
-            f"{owner}: its numbers or names are not those that were saved; the file is damaged: take a copy of it, or "
+            f"{owner}: its numbers or names are not those that were saved; the file is damaged: use a backup of it, or "
             "compute it again"
         )
     labels, units = (

@@ -351,7 +351,7 @@ def test_a_file_keeps_the_audit_and_a_command_prints_it(tmp_path: Path) -> None:
     lin = tmp_path / "lin.npz"
     system = pendulum()
     system.linearize(system.initial).save(lin)
-    assert "holds no motion" in CliRunner().invoke(check, [str(lin)]).output
+    assert "contains a Linearization, not a motion" in CliRunner().invoke(check, [str(lin)]).output
 
 
 def test_variants_in_lanes_are_balanced() -> None:
