@@ -129,7 +129,7 @@ class Linearization(LinearizedSystem):
         decibels: bool = False,
         title: str = "",
     ) -> Figure:
-        """Plot magnitude and phase of outputs over the frequency of inputs (needs matplotlib).
+        """Plot magnitude and phase of outputs against the frequency of inputs (needs matplotlib).
 
         Parameters
         ----------

@@ -122,8 +122,8 @@ def lowered_values(
         return LoweredValues(found.places + places, found.rows + columns, profiles)
     if direct or _differs(base, system):
         raise ModelError(
-            f"{owner}: '{declared[0][0].name}' changes the geometry, so that the model is built anew, without "
-            f"{'what was changed in' if not direct else ''} single elements and laws; give numbers of parts alone"
+            f"{owner}: '{declared[0][0].name}' changes the geometry, so that the model is rebuilt, without "
+            f"{'the changes to' if not direct else 'values of'} single elements and laws; give values of parts alone"
         )
     anew = Rebuilt(origin, values, tuple(system.dynamic), tuple(system.kinematic), owner, type(system))
     return LoweredValues([], [], anew=anew)

@@ -65,8 +65,8 @@ def simulate(
         The initial state by default; without its accelerations if a degree of freedom has no inertia and the
         method is implicit.
     times : array_like, optional
-        Times [s] at which states are stored: these alone, so that the start is one of them where it is wanted.
-        `samples` equidistant ones from the start on by default.
+        Times [s] at which states are stored, and only these: include the start if it is wanted. By default,
+        `samples` equidistant times from the start on.
     samples : int
         Number of stored states.
     method : str
@@ -144,13 +144,14 @@ def simulate(
     StiffWarning
         If an explicit method turns out to need many thousands of steps because the system is stiff.
     DampingWarning
-        If an implicit method has taken out more than 1 % of the energy of the motion: the larger of its kinetic
-        energy and what was dissipated and supplied. ``motion.warnings`` and ``motion.message`` keep it.
+        If an implicit method has removed more than 1 % of the energy of the motion: the larger of its kinetic
+        energy and what was dissipated and supplied. ``motion.warnings`` and ``motion.message`` keep the
+        warning.
     AuditWarning
         If the motion contradicts itself: its energy balance fails by more than its tolerance explains, a contact or
         an event was passed, the rates of a prescribed motion are not the derivatives of its values, the energy
         of a user's law contradicts its stress, a wheel pulls on the road, a rope is at its end, a position is nearly
-        singular. ``motion.verdict`` says what was found, also where that is nothing.
+        singular. ``motion.verdict`` says what was found, even if that is nothing.
     RangeWarning
         If a quantity is outside the data of its law at a stored time, or a beam is bent or twisted by more than
         15° within one element, by name.

@@ -133,7 +133,7 @@ def _read_npz(path: Path) -> tuple[dict[str, Any], dict[str, Array]]:
             refuse_table(path, file.files)
         sizes = {info.filename.removesuffix(".npy"): info.file_size for info in file.zip.infolist()}
         if sizes[HEADER] > MAX_HEADER_BYTES:
-            raise ValueError(f"its description of {sizes[HEADER]} bytes is none of a result")
+            raise ValueError(f"its description of {sizes[HEADER]} bytes is not that of a result")
         header = parsed(str(file[HEADER]))
         for name in header["variables"]:
             stated = MOST_BYTES * int(np.prod(header["variables"][name]["shape"], dtype=float)) + ARRAY_HEADER
