@@ -118,7 +118,7 @@ def check_variable(
             and has_inertia(own, structure)[row]
         ):
             raise ModelError(
-                f"{owner}: '{place.name}': the element has no mass in the system as built; give it any mass in the "
+                f"{owner}: '{place.name}': the element has no mass in the system as built; give it some mass in the "
                 "model"
             )
 

@@ -211,7 +211,7 @@ class MinimalRun(DenseRun):
             f"motion beyond "
             f"t = {self.t:g} s (the coordinates change {self.amplification:.2g} times as much as they do, "
             f"{self.choices.best:.2g} "
-            "with the best choice): one of them has reached its extreme; leave rechoose=False out, or name others with "
+            "with the best choice): one of them has reached its extreme; omit rechoose=False, or name others with "
             "system.use_coordinates"
         )
 

@@ -165,7 +165,7 @@ class Radau(MinimalRun):
             f"check what drives {self.kinematics.names(roles.prescribed)}, " if roles.prescribed.size else ""
         )
         return PositionError(
-            f"position at t = {c.t + c.h:g} s cannot be reached: '{name}' is not where its rate leads to; the position "
+            f"position at t = {c.t + c.h:g} s cannot be reached: '{name}' is not where its rate leads; the position "
             f"may be singular there, or a deformation jumps; {driven}choose other degrees of freedom, or DOP853"
         )
 

@@ -100,7 +100,7 @@ def stiff(system: CoreSystem, state: State, found: Suitable, duration: float) ->
         return False, f"{fastest}, at most {most:.3g}"
     turned = followed(system, state, found.matrix, duration)
     if turns <= SPREAD * turned:
-        return False, f"{fastest}, and what moves turns through {turned:.2g} rad, not {SPREAD:g} times less"
+        return False, f"{fastest}, and excited modes turn through {turned:.2g} rad, not {SPREAD:g} times less"
     return True, f"{fastest}, above {most:.3g}"
 
 

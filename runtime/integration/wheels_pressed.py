@@ -49,7 +49,7 @@ def pulling(structure: Structure, roles: Roles, states: States, evaluations: int
         if force > least and row in roles.rigid:
             yield (
                 f"wheel '{wheel}' pulls on the road by {force:.3g} N at t = {when:g} s, where it would lift: give it a "
-                "tyre (m.tyre with a law), which can lift, or end the motion before"
+                "tyre (m.tyre with a law), which can lift, or end the motion earlier"
             )
 
 
