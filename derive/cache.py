@@ -77,7 +77,7 @@ def _temporary(folder: Path, reason: str) -> Path:
     """Create a folder that is removed when this process ends."""
     warnings.warn(
         f"the cache {folder} cannot be used ({reason}): what is compiled is lost with this process; set XDG_CACHE_HOME "
-        "to a folder that can be written",
+        "to a writable folder",
         RuntimeWarning,
         stacklevel=2,
     )
