@@ -113,7 +113,7 @@ def test_a_wrong_output_names_itself(arguments: Any, message: str) -> None:
 def test_a_family_with_other_nodes_than_its_own_is_refused() -> None:
     message = (
         r"element 'wrong': the family 'truss' has the nodes \(point, point\) or \(planar_point, planar_point\), "
-        r"not \(point\); leave the family out, or give its nodes"
+        r"not \(point\); omit the family, or give its nodes"
     )
     with pytest.raises(ValueError, match=message):
         Element("wrong", (P,), deformations=(HEIGHT,), doc="height", family="truss")
