@@ -1,4 +1,4 @@
-"""What a user's element or law must pass before it is released: checks of its definition and of its kernels."""
+"""Checks that a user's element or law must pass before it is released: of its definition and of its kernels."""
 
 from dataclasses import replace
 

@@ -1,6 +1,7 @@
 """The user's cache of compiled files: a private folder of files with checksums.
 
-What is loaded runs in the process, so no other user may write it; a checksum behind the content shows that it is whole.
+Loaded files run in the process, so no other user may write them; a checksum after the content shows that they
+are whole.
 """
 
 import atexit

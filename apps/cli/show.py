@@ -10,7 +10,7 @@ from flexel.apps.cli.derive import PASSED_ON
 )
 @click.argument("arguments", nargs=-1, type=click.UNPROCESSED)
 def show(arguments: tuple[str, ...]) -> None:
-    """Pass everything on to flexel.derive.show_command, whose help is shown by `flexel show --help`."""
+    """Pass all arguments to flexel.derive.show_command, whose help is shown by `flexel show --help`."""
     from flexel.derive.show_command import main as command
 
     command.main(args=list(arguments), prog_name="flexel show")

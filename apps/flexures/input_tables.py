@@ -23,11 +23,11 @@ class FlexureTables:
     Attributes
     ----------
     places : ndarray (n, 3)
-        Of the nodes [m].
+        Positions of the nodes [m].
     ends : list of (int, int)
         Nodes of each element, counted from 1.
     nodes : dict of int to NodeProperties
-        Of the nodes that have any.
+        Properties of the nodes that have any.
     groups : list of ElementProperties
     group_of : dict of int to int
         The group that each element is in, counted from 0; others are rigid and have no mass.

@@ -44,7 +44,7 @@ def coefficients(entry: ElementEntry, keyword: str) -> Array:
 
 
 def beam_stiffnesses(kind: ElementType, given: Sequence[float]) -> dict[str, float]:
-    """Stiffnesses of a beam in the form of `Model.beam`, from the numbers of a file, without those that are zero."""
+    """Return the nonzero stiffnesses of a beam in the form of `Model.beam`, from the numbers of a file."""
     values = {key: value for key, value in zip(kind.stiffness, given, strict=False) if value}
     if "EI" in values:
         values["EIz"] = values.pop("EI")

@@ -72,7 +72,7 @@ def read_lines(path: Path, dialect: str | None, problems: Problems) -> tuple[str
     Raises
     ------
     ModelError
-        Text that is not a SPACAR file, or of which the dialect is not clear.
+        Text that is not a SPACAR file, or whose dialect is not clear.
     """
     if dialect is not None and (not isinstance(dialect, str) or dialect not in DIALECTS):
         raise ModelError(f"read_spacar: dialect {dialect!r} is unknown; give 'delft' or 'twente'")

@@ -19,7 +19,7 @@ OF_BEAM = {"ESTIFF": 6, "EDAMPP": 6, "EMASS": 5, "ESIG": 6}
 OF_BEAMW = {"ESTIFF": 7, "EDAMPP": 7, "EMASS": 6, "ESIG": 8}
 MEANING = {
     "BEAM": (OF_BEAM, "the last numbers belong to warping, which a BEAM does not have"),
-    "BEAMW": (OF_BEAMW, "the last numbers are left out, as no description says what they are"),
+    "BEAMW": (OF_BEAMW, "the last numbers are ignored, as no description says what they mean"),
 }
 
 # how many of the first numbers identify the subject of a line that may occur only once

@@ -42,7 +42,7 @@ def check_name(owner: str, name: str) -> None:
 
 
 def check_array(owner: str, name: str) -> None:
-    """Raise ElementError for a name that cannot be that of an output array in C, beside those of the kernels."""
+    """Raise ElementError for a name that an output array cannot have in C alongside those of the kernels."""
     check_name(owner, name)
     if name in ARRAYS | TAKEN or name.startswith("real_") or (name[0] == "t" and name[1:].isdigit()):
         raise ElementError(f"{owner}: the output '{name}' has a name used in the C code; choose another")

@@ -1,4 +1,4 @@
-"""What was found: rows of a table, as data, as text and as JSON."""
+"""The results: rows of a table, as data, as text and as JSON."""
 
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass

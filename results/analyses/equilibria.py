@@ -133,7 +133,7 @@ def static_path(system: CoreSystem, start: State | None = None, *, t_end: float)
 def buckling(
     system: CoreSystem, state: State | None = None, *, increment: Mapping[str, float], count: int = 5
 ) -> Listing[stability.BucklingMode]:
-    """Load multipliers at which equilibrium bifurcates, with their shapes, nearest first.
+    """Compute load multipliers at which equilibrium bifurcates, with their shapes, nearest first.
 
     Parameters
     ----------

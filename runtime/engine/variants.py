@@ -18,7 +18,7 @@ from flexel.model.structure import Structure
 
 
 class Variant:
-    """An evaluation with parameters of its own, for one thread.
+    """An evaluation with separate parameters, for one thread.
 
     Attributes
     ----------

@@ -203,7 +203,7 @@ class Run(ABC):
         return replace(self.result, message=message, statistics=self.statistics)
 
     def warn(self, text: str, category: type[Warning] = DampingWarning) -> None:
-        """Record what is known against the motion, and issue it once as a Python warning; see `Motion.warnings`."""
+        """Record evidence against the motion, and issue it once as a Python warning; see `Motion.warnings`."""
         self.result.warn(text, category)
 
     def imbalance(self) -> Imbalance | None:
@@ -231,7 +231,7 @@ class Run(ABC):
         return []
 
     def judge(self) -> str | None:
-        """Return what the method knows against the motion, which has ended; nothing for most methods."""
+        """Return the evidence of the method against the motion, which has ended; none for most methods."""
         return None
 
     @property

@@ -78,7 +78,7 @@ class Radau(MinimalRun):
         return self._steps.choice
 
     def restart_with(self, h: float) -> None:
-        """The same, with a step [s] to try first."""
+        """Restart with a step [s] to try first."""
         self._steps.struct.h = h
         self.restart()
         self._steps.struct.stale = True  # close to a flat position the Jacobian is noise
@@ -94,7 +94,7 @@ class Radau(MinimalRun):
         self.restart()
 
     def advance(self) -> str | None:
-        """One accepted step."""
+        """Take one accepted step."""
         wished = self._steps.struct.h
         while True:
             steps, c = self._steps, self._steps.struct

@@ -59,7 +59,7 @@ class Suitable:
 
 
 def suitable(system: CoreSystem, state: State) -> Suitable:
-    """Demands of a system on an integrator at a state; no eigenvalues are taken of very large systems."""
+    """Find the demands of a system on an integrator at a state; eigenvalues of very large systems are not computed."""
     nd = system.roles.nd
     if nd > MANY or (nd > LARGE and not few(system)):
         return Suitable(ALPHA, f"{nd} degrees of freedom, above {MANY if nd > MANY else LARGE}")
@@ -88,7 +88,7 @@ def smooth(system: CoreSystem) -> bool:
 
 
 def limit(system: CoreSystem) -> float:
-    """Max |λ| times the duration from which a motion is integrated implicitly if it does not excite what is fast."""
+    """Return max |λ| times the duration from which a motion is implicitly integrated if no fast modes are excited."""
     return STIFF / max(1.0, system.roles.nd / SMALL)
 
 
@@ -105,7 +105,7 @@ def stiff(system: CoreSystem, state: State, found: Suitable, duration: float) ->
 
 
 class Watch:
-    """Looks at an explicit integration after some steps, and warns if the rest will be long for want of stiffness.
+    """Looks at an explicit integration after some steps, and warns if the rest will be long because of stiffness.
 
     Parameters
     ----------
