@@ -32,7 +32,7 @@ OPTIONS = (
 def with_parameters(system: C, values: Mapping[str, Any]) -> C:
     """Copy the system with other values of some parameters.
 
-    If a parameter of a part changes the geometry, the model is rebuilt.
+    If a parameter of a part changes the geometry, the model is rebuilt with it.
 
     Raises
     ------

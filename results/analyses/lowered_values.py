@@ -1,4 +1,4 @@
-"""From numbers of parts to numbers of elements and laws, for all variants of a system."""
+"""Converts numbers of parts to numbers of elements and laws, for all variants of a system."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from flexel.system import CoreSystem
 
 @dataclass(frozen=True)
 class Rebuilt:
-    """Builds the system of a variant anew, with the degrees of freedom of the first one.
+    """Rebuilds the system of a variant, with the degrees of freedom of the first one.
 
     Attributes
     ----------
