@@ -78,7 +78,7 @@ def sweep(
     xarray.Dataset
         The results over the parameters, for points one by one over ``point``; NaN where a point failed.
         ``failed`` holds the message of each point that failed, and is empty at the others; the attribute
-        ``message`` says how the sweep ended. After Ctrl-C it holds the points computed so far.
+        ``message`` says how the sweep ended. After Ctrl-C the dataset holds the points computed so far.
 
     Raises
     ------

@@ -215,7 +215,7 @@ class Run(ABC):
         return (
             f"the energy balance of {self.method} fails by {balance.missing:.2g} J of {balance.moved:.3g} J, most at "
             f"t = {balance.when:.6g} s, {balance.missing / balance.allowed:.2g} times what its tolerance explains; "
-            "give a smaller rtol and atol, or a max_step, and look at what acts there"
+            "give a smaller rtol and atol, or a max_step, and check what acts there"
         )
 
     def contradictions(self) -> list[EventSample]:

@@ -357,8 +357,8 @@ class MinimalRun(DenseRun):
         t, worst = max(self.dips.close, key=lambda pair: pair[1])
         return [
             f"the position is nearly singular at t = {t:.6g} s: coordinates change {worst:.1g} times as much as what "
-            "holds them, so that forces lose digits, and the branch of the motion may depend on rounding: give the "
-            "parts that line up there dimensions with which they do so exactly, or clearly not, or end it before"
+            "holds them, so that forces lose digits, and the branch of the motion may depend on rounding: change "
+            "dimensions so that the parts that line up there do so exactly, or clearly not, or end the motion earlier"
         ]
 
     @property
