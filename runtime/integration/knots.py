@@ -27,7 +27,7 @@ class LawKnots:
     Attributes
     ----------
     times : ndarray
-        [s], rising.
+        [s], increasing.
     """
 
     times: Array

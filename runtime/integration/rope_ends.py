@@ -1,4 +1,4 @@
-"""Whether ropes stay on their sheaves and drums and do not run to their ends, by their gaps at the stored states."""
+"""Checks whether ropes stay on their sheaves and drums and do not run to their ends, by gaps at the stored states."""
 
 from __future__ import annotations
 

@@ -116,7 +116,7 @@ class Watch:
     Attributes
     ----------
     found : str
-        What was found; empty before the look, and for motions that are not stiff or not long.
+        The finding; empty before the check, and for motions that are not stiff or not long.
     """
 
     def __init__(self, system: CoreSystem, method: str) -> None:
