@@ -178,7 +178,7 @@ class FlexureStep:
         count = len(self.frequencies)
         if not count:
             raise ModelError(
-                "flexure: no modes were computed; give options frequencies, and a mass or density"
+                "flexure: no modes were computed; set the option frequencies, and give a mass or density"
             )
         return whole(number, "flexure", "mode", most=count)
 

@@ -108,10 +108,10 @@ def run(
 ) -> None:
     """Build and simulate the model in MODEL.py or MODEL.json and save its motion, or run a SPACAR input file MODEL.dat.
 
-    MODEL.py is a Python program that defines a fx.Model, called `model` (or `m`, or the only one), and optionally
-    a dict `simulate` with the options of System.simulate, as simulate = {"duration": 2.0}; the options given here
-    take precedence. A file with a function main(out) does everything itself: it is called with the folder for
-    results, and a Motion that it returns is saved.
+    MODEL.py is a Python program that defines a fx.Model, called `model` (or `m`, or the only one), and
+    optionally a dict `simulate` with the options of System.simulate, such as simulate = {"duration": 2.0};
+    the options given here take precedence. A file with a function main(out) does everything itself: it is
+    called with the folder for results, and a Motion that it returns is saved.
 
     MODEL.json was written by Model.save; --time is required. Modules of functions that it names are imported.
 

@@ -114,7 +114,7 @@ class SpacarFile(Portable):
         except ConstraintError as error:
             raise ConstraintError(
                 f"{self.path.name}: {error} (in the file: a degree of freedom is named by DYNE or DYNX, "
-                "a kinematic one by ENHC or KINE, a given motion is INPUTE or INPUTX, RLSE releases and FIX holds)"
+                "a kinematic one by ENHC or KINE, a prescribed motion is INPUTE or INPUTX, RLSE releases and FIX holds)"
             ) from error
         except ModelError as error:
             raise ModelError(f"{self.path.name}: {error}") from error

@@ -1,4 +1,4 @@
-"""Draws root loci: eigenvalues against a parameter or in the complex plane, one colour and name for each branch."""
+"""Plots root loci: eigenvalues against a parameter or in the complex plane, one colour and name for each branch."""
 
 from __future__ import annotations
 
