@@ -27,21 +27,21 @@ FOLDER = Path(__file__).resolve().parents[1] / "generated"
 @click.option(
     "--out",
     type=click.Path(path_type=Path, file_okay=False),
-    help="Folder of the C files; generated/ by default, for a page it must be given.",
+    help="Folder for the C files; generated/ by default, required for a page.",
 )
 def main(only: tuple[str, ...], checking: bool, update_baseline: bool, out: Path | None) -> None:
-    """Derive the kernels of all elements and laws (or of those that are named) and write them to generated/.
+    """Derive the kernels of all elements and laws (or of those named) and write them to generated/.
 
     All laws are in one file and are derived together.
 
-    `flexel derive PAGE.py [NAME]... --out FOLDER` writes the C of the elements and laws that a Python file of yours
-    declares, with the headers that it includes and the table of its arrays.
+    `flexel derive PAGE.py [NAME]... --out FOLDER` writes the C code of the elements and laws declared in your
+    Python file, with the headers that it includes and the table of its arrays.
     """
     if only and is_page(only[0]):
         if update_baseline:
             raise click.UsageError("--update-baseline is for the built-in elements; leave it out")
         if out is None:
-            raise click.UsageError(f"no folder for the C of {only[0]}; say where: --out FOLDER")
+            raise click.UsageError(f"no folder for the C code of {only[0]}; give one: --out FOLDER")
         _derive_page(Path(only[0]), only[1:], out, checking)
         return
     out = out or FOLDER

@@ -1,7 +1,7 @@
 """User-defined elements and laws: compiled, then verified once; failures are not released.
 
-The success of a verification is noted beside the shared object in the cache, by the definition and the ranges. What
-verifies (`flexel.derive.acceptance`) is imported only where there is no note.
+A successful verification is noted next to the shared object in the cache, by the definition and the ranges.
+The module that verifies (`flexel.derive.acceptance`) is imported only where there is no note.
 """
 
 import hashlib

@@ -1,4 +1,4 @@
-"""What a user's element or law must pass before it is released: checks of its definition and of its kernels."""
+"""Checks that a user's element or law must pass before it is released: of its definition and of its kernels."""
 
 from dataclasses import replace
 
@@ -39,7 +39,7 @@ def check_compiled(
         found = Verification(tuple(wrong), 0.0).table()
         raise VerificationError(
             f"{declared.owner}: the compiled kernels differ from the definition:\n{found}\n"
-            "write it so that it loses fewer digits (by differences of nearly equal numbers, high powers), or name its "
+            "write it so that it loses fewer digits (to differences of nearly equal numbers, high powers), or give its "
             "range: ranges={'name': (lowest, highest)}"
         )
     return Verification(tuple(rows), 0.0)

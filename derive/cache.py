@@ -1,6 +1,7 @@
 """The user's cache of compiled files: a private folder of files with checksums.
 
-What is loaded runs in the process, so no other user may write it; a checksum behind the content shows that it is whole.
+Loaded files run in the process, so no other user may write them; a checksum after the content shows that they
+are whole.
 """
 
 import atexit
@@ -77,7 +78,7 @@ def _temporary(folder: Path, reason: str) -> Path:
     """Create a folder that is removed when this process ends."""
     warnings.warn(
         f"the cache {folder} cannot be used ({reason}): what is compiled is lost with this process; set XDG_CACHE_HOME "
-        "to a folder that can be written",
+        "to a writable folder",
         RuntimeWarning,
         stacklevel=2,
     )

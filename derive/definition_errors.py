@@ -7,7 +7,7 @@ _NUMPY = re.compile(r"\bnp\.(?:(?:float|int|uint|complex|longdouble|str|bool)\w*
 
 
 class FlexelError(Exception):
-    """Base of all errors that flexel raises on purpose.
+    """Base class of all errors that flexel raises on purpose.
 
     Attributes
     ----------

@@ -1,7 +1,6 @@
-"""A key of a definition: equal for equal definitions in every process, and another one where anything differs.
+"""The key of a definition: equal for equal definitions in every process, different where anything differs.
 
-Whatever is made of a definition also depends on the program that makes it, so that its files and the version of SymPy
-are part of the key.
+What is derived also depends on the program that derives it, so its files and the version of SymPy are part of the key.
 """
 
 import hashlib

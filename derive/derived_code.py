@@ -1,6 +1,7 @@
 """Return C and specification of elements and laws: derived once, and kept in the user's cache by their definition.
 
-What derives is imported only where the cache has nothing: a program that uses a known element starts without it.
+The modules that derive are imported only where the cache has nothing: a program that uses a known element
+starts without them.
 """
 
 import logging

@@ -70,7 +70,7 @@ class SharedObject:
         CompilerMissingError
             No C compiler.
         CompilationError
-            The compiler failed, or made what cannot be loaded.
+            The compiler failed, or its output cannot be loaded.
         CacheError
             Others can write to the cache.
         """
@@ -78,7 +78,7 @@ class SharedObject:
             return ctypes.addressof(ctypes.c_char.in_dll(ctypes.CDLL(str(self.path)), f"flexel_{SYMBOL}"))
         except (OSError, ValueError) as error:
             raise CompilationError(
-                f"'{self.name}': what the compiler made cannot be loaded ({error}); set CC to a C compiler "
+                f"'{self.name}': the compiled file cannot be loaded ({error}); set CC to a C compiler "
                 "for this machine"
             ) from error
 

@@ -24,16 +24,15 @@ Table = tuple[str, Sequence[tuple[str, ...]]]
 
 @click.command(context_settings={"help_option_names": ["-h", "--help"]})
 @click.argument("names", nargs=-1, required=True, metavar="NAME|PAGE.py [NAME]...")
-@click.option("--kernel", metavar="NAME", help="Print the C of this kernel alone.")
-@click.option("--latex", is_flag=True, help="Print the formulas alone, as LaTeX.")
+@click.option("--kernel", metavar="NAME", help="Print only the C code of this kernel.")
+@click.option("--latex", is_flag=True, help="Print only the formulas, as LaTeX.")
 def main(names: tuple[str, ...], kernel: str | None, latex: bool) -> None:
     """Print elements and laws: where they are declared, symbols, formulas, operations, the C of a kernel.
 
-    They are built-in ones, or those that a Python file of yours declares: `flexel show PAGE.py`, all or those that are
-    named.
+    They are built in, or declared in your Python file: `flexel show PAGE.py`, all or those named.
     """
     if kernel is not None and latex:
-        raise click.UsageError("--kernel and --latex each print one thing alone; leave one out")
+        raise click.UsageError("--kernel and --latex exclude each other; leave one out")
 
     def text(declared: Element | Law, place: str) -> str:
         if latex:
@@ -59,7 +58,7 @@ def _built_in(names: Sequence[str], text: Text) -> list[str]:
     for name in names:
         if name not in by_name:
             raise click.UsageError(
-                f"no element or law '{name}'; there are: {', '.join(known)}. A file of yours ends in .py."
+                f"no element or law '{name}'; there are: {', '.join(known)}. Names of your own files end in .py."
             )
     return [text(by_name[name], _place(by_name[name])) for name in names]
 

@@ -138,7 +138,7 @@ class ElementSpec:
 
     @property
     def outputs(self) -> tuple[OutputSpec, ...]:
-        """What it reports beside its deformations."""
+        """What it reports besides its deformations."""
         return self.kernels["outputs"].outputs if "outputs" in self.kernels else ()
 
     @property

@@ -1,4 +1,4 @@
-"""Runs a user's Python file, and reports whatever it raises by the line of the file; without SymPy."""
+"""Runs a user's Python file, and reports any error with the line of the file; without SymPy."""
 
 import runpy
 import sys
@@ -15,7 +15,7 @@ from flexel.derive.definition_errors import FlexelError
 
 @contextmanager
 def reported_by_line(path: Path) -> Iterator[None]:
-    """End the command with one line that names the line of the user's file, whatever the file raises."""
+    """End the command with a message that names the line of the user's file, whatever the file raises."""
     try:
         yield
     except click.ClickException:

@@ -98,19 +98,19 @@ def read_page(path: Path) -> UsersPage:
                 continue
             if value.name in declared:
                 raise click.ClickException(
-                    f"{path}, line {line}: {value.owner}: line {lines[value.name]} has declared "
+                    f"{path}, line {line}: {value.owner}: line {lines[value.name]} already declares "
                     f"{declared[value.name].owner}; give it another name"
                 )
             declared[value.name], lines[value.name] = value, line
     for name, line, what in compiled:
         if what not in declared:
             raise click.ClickException(
-                f"{path}, line {line}: {name} is '{what}' as it was compiled, and its definition has no name any more; "
-                "give what fx.compile_element or fx.compile_law returns another name than the definition"
+                f"{path}, line {line}: {name} is the compiled '{what}', whose definition no longer has a name; "
+                "give the result of fx.compile_element or fx.compile_law another name than the definition"
             )
     if not declared:
         raise click.ClickException(
-            f"{path}: it declares no element and no law; assign a flexel.derive.Element or Law to a name"
+            f"{path}: it declares no element or law; assign a flexel.derive.Element or Law to a name"
         )
     return UsersPage(path, declared, lines, _ranges(path, names, list(declared.values())))
 

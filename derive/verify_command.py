@@ -30,7 +30,7 @@ def main(names: tuple[str, ...], json_file: str | None) -> None:
 
     Exit status 0 only if every output is within its tolerance. A law is named law_<name>.
 
-    `flexel verify PAGE.py [NAME]...` compiles and checks the elements and laws that a Python file of yours declares.
+    `flexel verify PAGE.py [NAME]...` compiles and checks the elements and laws declared in your Python file.
     """
     if json_file is not None and not Path(json_file).absolute().parent.is_dir():
         raise click.UsageError(

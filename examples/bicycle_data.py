@@ -1,6 +1,6 @@
 """Reference numbers of the bicycle: parameters, linear equations, eigenvalues, and one nonlinear motion.
 
-Symbols are those of the 2007 paper: rear wheel R, rear frame with rider B, front frame H, front wheel F; SI units;
+Symbols as in the 2007 paper: rear wheel R, rear frame with rider B, front frame H, front wheel F; SI units;
 axes x forward, y right, z down; w wheelbase, c trail, lam tilt of the steering axis.
 """
 

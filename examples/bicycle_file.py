@@ -1,6 +1,6 @@
 """The bicycle of an input file that A. L. Schwab published in 2003, read and linearized over the speed.
 
-Its page gives three speeds which the file itself does not give: the page belongs to another version.
+Its page gives three speeds that are not in the file itself: the page belongs to another version.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""How many elements a problem needs: convergence over meshes, orders, extrapolation."""
+"""How many elements a problem needs: convergence with mesh refinement, orders, extrapolation."""
 
 from __future__ import annotations
 

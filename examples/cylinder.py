@@ -1,4 +1,4 @@
-"""A boom on a hydraulic cylinder: the elongation of a truss as relative coordinate, as on slide 10 of the SPACAR talk.
+"""A boom on a hydraulic cylinder: the elongation of a truss as a relative coordinate (slide 10 of the SPACAR talk).
 
 A boom turns on a hinge; a cylinder between the ground and a pin of the boom is a truss whose elongation is not rigid.
 It is prescribed (the boom is driven, and its force follows), it is the degree of freedom (the boom falls), or a spring

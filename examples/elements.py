@@ -1,4 +1,4 @@
-"""The elements of the SPACAR talk (slides 8 and 12 to 16), and some more, each in a small model of its own.
+"""The elements of the SPACAR talk (slides 8 and 12 to 16), and some more, each in a small model.
 
 Pages show these models with all modes of their elements, and the tests count the modes.
 """

@@ -1,12 +1,11 @@
 """Two flexure mechanisms over their range of motion: the parallel leaf-spring guide and the cross-flexure pivot.
 
-Guide: two leaf springs along x, clamped to the ground and to a rigid shuttle that moves in y.  Pivot: two leaf
-springs that cross at right angles in their middles (through a slot) and let a body turn about z.  `reproduce`
-gives, along the range: compliance and stiffness in every direction, frequencies, the largest stress, buckling
-multipliers of a payload along x; and what is over-constrained, by name.  At the start of the range, and under
-payload, closed forms are known; the rest is reported.
-The table is made in `flexel.examples.flexures_table`, the pictures in
-`flexel.examples.flexures_figures`.
+Guide: two leaf springs along x, clamped to the ground and to a rigid shuttle that moves in y.  Pivot: two
+leaf springs that cross at right angles at their midpoints (through a slot) and let a body turn about z.
+`reproduce` gives, along the range: compliance and stiffness in every direction, frequencies, the largest
+stress, buckling multipliers of a payload along x; and what is over-constrained, by name.  At the start of the
+range, and under payload, closed forms are known; the rest is reported.  The table is made in
+`flexel.examples.flexures_table`, the pictures in `flexel.examples.flexures_figures`.
 """
 
 from __future__ import annotations

@@ -1,7 +1,7 @@
 """Closed forms that the flexure mechanisms are compared with, each with its source.
 
-Beam-column theory (Timoshenko and Gere 1961) for the stiffness under payload; the cross-flexure pivot was treated
-so by Haringx (1949) and Wittrick (1951).
+Beam-column theory (Timoshenko and Gere 1961) for the stiffness under payload; Haringx (1949) and Wittrick
+(1951) treated the cross-flexure pivot in this way.
 """
 
 from __future__ import annotations

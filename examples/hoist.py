@@ -1,6 +1,6 @@
 """A hoist whose steel wire rope runs from a drum over two movable sheaves and a fixed one: load and lift.
 
-The system of Cao, Du, Ma and Liu (2017); `hoist_data` says which numbers are the paper's and which are chosen here.
+The system of Cao, Du, Ma and Liu (2017); `hoist_data` says which numbers are from the paper and which are chosen here.
 The load is applied at once to a rope that is just taut (0 to 1 s), lifted faster and faster (1 to 2 s), and then at
 a constant speed (2 to 3 s).  A variant takes 30 s, the other reading of the paper's duration.
 """

@@ -1,4 +1,4 @@
-"""Every joint of `Model` in a small model of its own, with the names of what it leaves free.
+"""Every joint of `Model` in a small model, with the names of the motions that it leaves free.
 
 The page on joints shows these models, and the tests build them.
 """

@@ -1,8 +1,9 @@
 """A motorcycle from the parts of the road vehicle and the bicycle: nothing in them is specific to one vehicle.
 
-Rear frame with rider, swinging arm, telescopic fork on an inclined steering axis, two wheels with compliant toroidal
-tyres (crown radius, Magic Formula with relaxation). The data are those of no real machine, but of usual size. Weave,
-wobble and capsize are followed over the speed. x forward, y left, z up, origin on the road below the rear hub.
+Rear frame with rider, swinging arm, telescopic fork on an inclined steering axis, two wheels with compliant
+toroidal tyres (crown radius, Magic Formula with relaxation). The data are not those of a real machine, but
+typical in size. Weave, wobble and capsize are followed over the speed. x forward, y left, z up, origin on the
+road below the rear hub.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Ropes over a sheave of which one end swings: the rope wraps and unwraps, with its other end held or a mass there."""
+"""Ropes over a sheave with one end swinging: the rope wraps and unwraps, its other end held or carrying a mass."""
 
 from __future__ import annotations
 

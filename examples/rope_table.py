@@ -1,4 +1,4 @@
-"""Rows of the table of rope problems: errors on meshes that double, with the observed order of convergence."""
+"""Rows of the table of rope problems: errors on successively doubled meshes, with the observed order of convergence."""
 
 from __future__ import annotations
 

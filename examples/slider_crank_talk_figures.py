@@ -1,4 +1,4 @@
-"""Figures after slides 23 to 30 of the talk: its model, and the converged one beside it."""
+"""Figures after slides 23 to 30 of the talk: its model, next to the converged one."""
 
 from __future__ import annotations
 

@@ -1,9 +1,9 @@
 """Tolerances of a flexure stage: how far its natural frequencies scatter when it is made many times.
 
-The parallel leaf-spring guide of `flexel.examples.flexures`, with the thickness of each leaf spring, their free length,
-Young's modulus and the mass of the shuttle drawn from normal distributions: a Latin hypercube of stages, each built and
-analysed by `fx.sweep`.  Of the lowest frequency a closed form is known at each point, and its scatter from the
-propagation of errors; the frequencies of the leaf springs themselves are reported.
+The parallel leaf-spring guide of `flexel.examples.flexures`, with the thickness of each leaf spring, their
+free length, Young's modulus and the mass of the shuttle drawn from normal distributions: a Latin hypercube of
+stages, each built and analysed by `fx.sweep`.  The lowest frequency has a closed form at each point, and its
+scatter follows from the propagation of errors; the frequencies of the leaf springs themselves are reported.
 `fx.sweep` needs joblib and xarray, the extra ``sweep``.
 """
 

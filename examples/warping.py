@@ -1,10 +1,9 @@
-"""Torsion of beams whose sections warp, compared with Vlasov's closed forms: leaf springs, I beams, columns.
+"""Torsion of beams with warping sections, compared with Vlasov's closed forms: leaf springs, I-beams, columns.
 
-The models are rows of beams along x that share their warping nodes.  `reproduce` compares restrained torsion, uneven
-torsion with its bimoment, lateral and torsional buckling, frequencies, the twist of a leaf in tension, and the limit
-without restraint, in which the beam is the plain one.
-Closed forms, table and picture are in `warping_exact`, `warping_table` and
-`warping_figures`.
+The models are rows of beams along x that share their warping nodes.  `reproduce` compares restrained torsion,
+uneven torsion with its bimoment, lateral and torsional buckling, frequencies, the twist of a leaf in tension,
+and the limit without restraint, in which it is a plain beam.  Closed forms, table and picture are in
+`warping_exact`, `warping_table` and `warping_figures`.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Figure of restrained torsion: the stiffness of a clamped leaf over its length, and the twist of an I beam."""
+"""Figure of restrained torsion: the stiffness of a clamped leaf against its length, and the twist of an I-beam."""
 
 from __future__ import annotations
 

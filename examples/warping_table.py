@@ -1,4 +1,4 @@
-"""The table of beams whose sections warp: every quantity with its closed form."""
+"""The table of beams with warping sections: every quantity with its closed form."""
 
 from __future__ import annotations
 

@@ -115,7 +115,7 @@ class Flexure:
 
     @property
     def tracked_frequencies(self) -> dict[str, Array]:
-        """Natural frequencies (steps,) [Hz] of each mode, followed over the steps by its shape.
+        """Natural frequencies (steps,) [Hz] of each mode, tracked over the steps by its shape.
 
         Names are short: a number, and the direction and node that move most.  NaN where a mode is not among the lowest.
         """
@@ -123,7 +123,7 @@ class Flexure:
 
     @property
     def tracked_buckling(self) -> dict[str, Array]:
-        """Buckling multipliers (steps,) of each mode, followed over the steps as `tracked_frequencies` are."""
+        """Buckling multipliers (steps,) of each mode, tracked over the steps like `tracked_frequencies`."""
         return self._lines("tracked_buckling", "buckling", "buckling_shape")
 
     def _lines(self, name: str, values: str, shapes: str) -> dict[str, Array]:
@@ -166,8 +166,8 @@ class Flexure:
     def stiffness(self, node: int, body_axes: bool = False) -> Array:
         """Return the stiffness of a node at all steps (steps, 6): in x, y, z [N/m] and about x, y, z [N m/rad].
 
-        In each direction with all others free: 1 / C_ii of its compliance; infinite where it cannot move, apart from
-        rounding.
+        In each direction with all others free: 1 / C_ii of its compliance; infinite where it cannot move (up
+        to rounding).
 
         Parameters
         ----------

@@ -58,7 +58,7 @@ class FlexureNode:
     force, moment : ndarray (3,)
         Force and moment of a support or a prescribed motion on it, in global axes [N], [N m]; zero if it is free.
     compliance : Compliance or None
-        Its displacements and rotations by small forces and moments on it: ``.matrix`` in global axes, ``.in_body``
+        Its displacements and rotations under small forces and moments on it: ``.matrix`` in global axes, ``.in_body``
         in axes that turn with the node.  None if it was not requested.
     """
 
@@ -178,7 +178,7 @@ class FlexureStep:
         count = len(self.frequencies)
         if not count:
             raise ModelError(
-                "flexure: no modes were computed; give options frequencies, and a mass or density"
+                "flexure: no modes were computed; set the option frequencies, and give a mass or density"
             )
         return whole(number, "flexure", "mode", most=count)
 

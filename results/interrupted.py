@@ -11,7 +11,7 @@ class Interrupted(KeyboardInterrupt):  # noqa: N818 - not an error
     Attributes
     ----------
     motion : Motion
-        The motion up to there.
+        The motion up to that point.
     """
 
     def __init__(self, message: str, motion: Motion) -> None:

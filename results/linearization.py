@@ -129,7 +129,7 @@ class Linearization(LinearizedSystem):
         decibels: bool = False,
         title: str = "",
     ) -> Figure:
-        """Plot magnitude and phase of outputs over the frequency of inputs (needs matplotlib).
+        """Plot magnitude and phase of outputs against the frequency of inputs (needs matplotlib).
 
         Parameters
         ----------
@@ -140,7 +140,7 @@ class Linearization(LinearizedSystem):
         path : path, optional
             File for the figure; the suffix determines the format.
         decibels : bool
-            Magnitudes in decibels of one unit; ratios on a logarithmic axis otherwise.
+            Magnitudes in decibels relative to one unit; ratios on a logarithmic axis otherwise.
         title : str
 
         Examples

@@ -155,7 +155,7 @@ class Linearizations:
 
 @dataclass(frozen=True)
 class RootLoci:
-    """Eigenvalues over a rate or a parameter, each column one branch.
+    """Eigenvalues as functions of a rate or parameter; each column is one branch.
 
     Attributes
     ----------
@@ -163,7 +163,7 @@ class RootLoci:
         The rate or parameter of the loci.
     values : ndarray (np,)
     linearizations : Linearizations
-        The equations of which these are the eigenvalues.
+        The equations that have these eigenvalues.
     unit : str
         Of the values.
     """
@@ -218,7 +218,7 @@ class RootLoci:
         return np.asarray((self.eigenvalues.real < 0).all(axis=-1))
 
     def plot(self, path: str | Path | None = None, *, variant: int = 0, **options: Any) -> Figure:
-        """Plot real and imaginary parts over the values, or with ``plane=True`` the complex plane (needs matplotlib).
+        """Plot real and imaginary parts against the values, or each other with ``plane=True`` (needs matplotlib).
 
         Parameters
         ----------
@@ -228,7 +228,7 @@ class RootLoci:
             Variant to show, if parameters vary in addition to the rates.
         **options
             ``names``, ``marks``, ``limits``, ``label``, ``title`` and ``plane``; see
-            `flexel.apps.view.loci.root_loci`.  Branches are named after the degree of freedom that takes part most.
+            `flexel.apps.view.loci.root_loci`.  Branches are named after the degree of freedom that participates most.
 
         Examples
         --------

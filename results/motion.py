@@ -91,7 +91,8 @@ class Motion(Trajectory):
         Raises
         ------
         ModelError
-            An unknown name; quantities of different units in one list; labels that are not one for each motion.
+            An unknown name; quantities of different units in one list; a number of labels that is not that of
+            the motions.
         FlexelError
             If matplotlib is not installed.
 
@@ -114,7 +115,7 @@ class Motion(Trajectory):
         path: str | Path | None = None,
         title: str = "",
     ) -> Figure:
-        """Plot amplitudes of named quantities over the frequency, with separate axes for each unit (needs matplotlib).
+        """Plot amplitudes of named quantities against frequency, with separate axes for each unit (needs matplotlib).
 
         Parameters
         ----------

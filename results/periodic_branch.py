@@ -1,4 +1,4 @@
-"""A branch of periodic motions over the speed as a result: amplitudes, folds, stability, pictures, tables."""
+"""A branch of periodic motions with varying speed as a result: amplitudes, folds, stability, pictures, tables."""
 
 from __future__ import annotations
 
@@ -83,7 +83,7 @@ class PeriodicBranch:
         return [(slice(i, j + 1), steps[i]) for i, j in zip(ends, ends[1:], strict=False) if j > i]
 
     def largest(self, name: str) -> Array:
-        """Return the largest magnitude (n,) of a quantity over the period, of each motion; names as in `Motion`."""
+        """Return the largest magnitude (n,) of a quantity over the period, for each motion; names as in `Motion`."""
         return np.array([np.abs(refined(solution[name])).max() for solution in self.solutions])
 
     def harmonics(self, name: str) -> ComplexArray:
@@ -91,7 +91,7 @@ class PeriodicBranch:
         return np.array([solution.harmonics(name) for solution in self.solutions])
 
     def plot(self, *names: str, path: str | Path | None = None) -> Figure:
-        """Plot largest magnitudes and multipliers over the speed, unstable motions dashed (needs matplotlib).
+        """Plot largest magnitudes and multipliers against the speed, unstable motions dashed (needs matplotlib).
 
         Parameters
         ----------

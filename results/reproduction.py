@@ -32,11 +32,12 @@ class Quantity:
     reference : array_like of the same shape, or None
         The value to compare with; None if the quantity is only reported.
     tolerance : float
-        Largest permitted `error`: at most three times the error found, or 1e-12 of the reference, or with a `reason`.
+        Largest permitted `error`: at most three times the error found or 1e-12 of the reference, unless there
+        is a `reason`.
     unit : str
         SI unit of both, "" for a pure number.
     source : str
-        Where the reference is from, with table or equation number.
+        Origin of the reference, with table or equation number.
     more : mapping, optional
         Further keys of the JSON row, for instance ``{"elements": 8}``.
     kind : str
@@ -46,7 +47,7 @@ class Quantity:
         ``relative`` to each entry of the reference, the default, or ``absolute``, the default for a reference
         of zeros.  A reference with some zeros requires it.
     reason : str, optional
-        Why the tolerance is larger than three times the error that is found.
+        Why the tolerance is larger than three times the error found.
     """
 
     name: str
@@ -63,7 +64,7 @@ class Quantity:
     def __post_init__(self) -> None:
         if (self.reference is None) != (self.kind == "none"):
             raise ValueError(
-                f"quantity {self.name!r}: kind 'none' is for, and only for, one without a reference"
+                f"quantity {self.name!r}: kind 'none' is for quantities without a reference, and only for these"
             )
         zeros = np.asarray(0.0 if self.reference is None else self.reference) == 0
         if self.tolerance_kind is None:
@@ -138,7 +139,7 @@ class Report:
     files : sequence of Path, optional
         Figures and animations that were written.
     seconds : float, optional
-        How long it took [s]; measured by ``flexel reproduce`` when left at 0.
+        Run time [s]; measured by ``flexel reproduce`` when left at 0.
     """
 
     case: str

@@ -16,7 +16,7 @@ from flexel.model.controller import parts
 
 
 class Nominal(Protocol):
-    """The equations along a nominal motion, of which a small motion reads its quantities."""
+    """The equations along a nominal motion, from which a small motion reads its quantities."""
 
     @property
     def F(self) -> Array:  # noqa: N802

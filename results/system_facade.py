@@ -58,9 +58,9 @@ class System(CoreSystem):
 
     @property
     def parameters(self) -> Mapping[str, Array]:
-        """Values of all numbers by name, the parts' numbers first; read only.
+        """Values of all parameters by name, those of parts first; read only.
 
-        Parts have what they were declared with: ``leaf.EIz``, ``leaf.section.height``, ``rider.mass``.  What follows
+        Parts have those of their declaration: ``leaf.EIz``, ``leaf.section.height``, ``rider.mass``.  What follows
         from these in elements and laws has names too: springs and dampers have ``stiffness``, ``damping`` and
         ``preload`` after the name of what they act on, ``strut.elongation.stiffness``.
         """

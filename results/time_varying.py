@@ -35,9 +35,9 @@ from flexel.system import CoreSystem
 class TimeVarying(Sequence[Linearization]):
     """Linearized equations along a motion, from `System.along`: M δq_d'' + C δq_d' + K δq + Z δz = F + F̄ δu.
 
-    ``along[i]`` is the linearization at sample i, ``along.at(t)`` that at any time of the motion; both are analytic.
-    The states are (δq_d', δq_d, δq_k, δz), in one choice of coordinates for the whole motion.  They are changes at
-    fixed time, so that the accelerations of the nominal motion take part in all matrices.
+    ``along[i]`` is the linearization at sample i, ``along.at(t)`` that at any time of the motion; both are
+    analytic.  The states are (δq_d', δq_d, δq_k, δz), in one choice of coordinates for the whole motion.
+    They are changes at fixed time, so the accelerations of the nominal motion enter all matrices.
 
     Attributes
     ----------
@@ -155,8 +155,8 @@ class TimeVarying(Sequence[Linearization]):
         Parameters
         ----------
         inputs, outputs : sequence of str
-            As in `Linearization.state_space`, but without ``displacement:``: its shifted states would need the
-            rates of the matrices.
+            As in `Linearization.state_space`, but without ``displacement:``, whose shifted states would need
+            the rates of the matrices.
         times : sequence of float, optional
             [s]; the samples by default.
 
@@ -207,7 +207,7 @@ class TimeVarying(Sequence[Linearization]):
         """
         grid = self.t if times is None else _grid(times, "along.transient")
         if grid.size < 2 or np.any(np.diff(grid) <= 0):
-            raise LinearizationError("along.transient: give at least two times that increase")
+            raise LinearizationError("along.transient: give at least two increasing times")
         driven = {
             name: given if callable(given) else number(given, "along.transient", f"input '{name}'")
             for name, given in mapping(inputs, "along.transient", "inputs").items()

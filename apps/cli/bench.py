@@ -39,18 +39,18 @@ MACHINE, TABLE, TIMING, COMPARE, PEERS, PLOT = (
     "plot_file",
     type=click.Path(dir_okay=False, writable=True),
     metavar="FILE",
-    help="Draw the ratios to the peers, and times over the size; the suffix determines the format.",
+    help="Plot the ratios to the peers, and times against size; the suffix determines the format.",
 )
 def bench(names: tuple[str, ...], json_file: str | None, plot_file: str | None) -> None:
     """Measure computing times, and print them next to those of other programs and the targets.
 
     Without NAME, all rows are measured (many minutes); each figure is the shortest CPU time of many runs in one thread.
-    Other programs run the same model alternately with flexel, if they are installed: pip install 'flexel[peers]'.
+    Other programs, if installed, run the same model alternately with flexel: pip install 'flexel[peers]'.
     Exit status 1 if a row or a peer fails or is not accurate enough. Ctrl-C stops; finished measurements are kept.
     """
     if not import_module(MACHINE).one_thread():
         click.echo(
-            "NumPy was imported before: set OPENBLAS_NUM_THREADS=1, or the times may be wrong", err=True
+            "NumPy was already imported: set OPENBLAS_NUM_THREADS=1, or the times may be wrong", err=True
         )
     rows = import_module(TABLE).ROWS
     chosen = _chosen(names, rows)

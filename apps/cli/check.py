@@ -14,9 +14,9 @@ MODELS, RESULTS = (".py", ".json", ".dat"), (".nc", ".npz", ".mat", ".csv")
 def check(file: Path) -> None:
     """List all errors and probable mistakes in the model of MODEL.py, .json or .dat, or in the motion of RESULT.
 
-    Of a model: degrees of freedom, redundant constraints and candidates for release, unconstrained motions, missing
+    For a model: degrees of freedom, redundant constraints and candidates for release, unconstrained motions, missing
     masses, degenerate elements, suspicious units, conditioning of the coordinates. A MODEL.py defines its model as for
-    `flexel run`; a MODEL.json was written by Model.save. Of a saved motion (.nc, .npz, .mat, .csv): the verdict of its
+    `flexel run`; a MODEL.json was written by Model.save. For a saved motion (.nc, .npz, .mat, .csv): the verdict of its
     audit, and its warnings. The exit status is 1 if there are errors or warnings, else 0.
     """
     suffix = file.suffix.lower()
@@ -58,7 +58,7 @@ def _motion(file: Path) -> bool:
     motion = load(file)
     if not isinstance(motion, Motion):
         raise click.UsageError(
-            f"{file}: holds no motion, but a {type(motion).__name__}; give a saved motion."
+            f"{file}: contains a {type(motion).__name__}, not a motion; give a saved motion."
         )
     click.echo(
         motion.verdict

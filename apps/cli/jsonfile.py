@@ -7,7 +7,7 @@ import click
 
 
 def check_json_file(file: str | None, names: Container[str], kind: str, option: str = "--json") -> None:
-    """Refuse a file that cannot be written when the work is done, or that is one of the names to work on.
+    """Reject a file that could not be written at the end, or that is one of the names to work on.
 
     Raises
     ------

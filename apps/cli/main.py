@@ -39,7 +39,7 @@ class Commands(click.Group):
 
 @click.group(cls=Commands, context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(flexel.__version__, prog_name="flexel")
-@click.option("-v", "--verbose", count=True, help="Show what is done, on stderr; -vv in every step.")
+@click.option("-v", "--verbose", count=True, help="Show what is being done, on stderr; with -vv, every step.")
 @click.pass_context
 def main(ctx: click.Context, verbose: int) -> None:
     """A compiler for mechanisms: derive, compile, run."""

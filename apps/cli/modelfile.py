@@ -1,4 +1,4 @@
-"""Reads a user's model: a Python program that declares it or does everything itself in ``main(out)``; a saved one.
+"""Reads a user's model: a saved one, or a Python program that declares it or does everything itself in ``main(out)``.
 
 A Python file is run as a program whose ``__name__`` is that of the file, so code under
 ``if __name__ == "__main__":`` runs only with ``python MODEL.py``.  Of the names it defines, these are used:
@@ -47,7 +47,7 @@ def model_in(names: Mapping[str, Any], path: Path) -> Model:
     if len(different) == 1:
         return next(iter(different.values()))
     if models:
-        raise click.ClickException(f"{path}: several models, {', '.join(models)}; call one of them model")
+        raise click.ClickException(f"{path}: several models, {', '.join(models)}; name one of them model")
     raise click.ClickException(f"{path}: neither a fx.Model nor a function main(out); define one of them")
 
 

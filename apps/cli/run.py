@@ -41,7 +41,7 @@ class RunOptions:
 @click.option(
     "--method",
     type=click.Choice(METHODS),
-    help="Integration method; auto, the default, chooses by the model.",
+    help="Integration method; auto, the default, chooses one to suit the model.",
 )
 @click.option(
     "--out",
@@ -57,7 +57,7 @@ class RunOptions:
     help="Format of the saved motion; npz by default, repeat for more.",
 )
 @click.option(
-    "--plot", "plots", multiple=True, metavar="QUANTITY", help="Draw this time history; repeat for more."
+    "--plot", "plots", multiple=True, metavar="QUANTITY", help="Plot this time history; repeat for more."
 )
 @click.option(
     "--linearize", is_flag=True, help="Print frequency and damping of the modes about the last state."
@@ -78,7 +78,7 @@ class RunOptions:
 @click.option(
     "--warping",
     type=click.Choice(WARPING),
-    help="What a BEAMW of a SPACAR file is: SPACAR's element, the default, or flexel's own.",
+    help="How to read a BEAMW of a SPACAR file: as SPACAR's element, the default, or as flexel's own.",
 )
 @click.option(
     "--compare",
@@ -108,19 +108,19 @@ def run(
 ) -> None:
     """Build and simulate the model in MODEL.py or MODEL.json and save its motion, or run a SPACAR input file MODEL.dat.
 
-    MODEL.py is a Python program that defines a fx.Model, called `model` (or `m`, or the only one), and optionally
-    a dict `simulate` with the options of System.simulate, as simulate = {"duration": 2.0}; the options given here
-    take precedence. A file with a function main(out) does everything itself: it is called with the folder for
-    results, and a Motion that it returns is saved.
+    MODEL.py is a Python program that defines a fx.Model, called `model` (or `m`, or the only one), and
+    optionally a dict `simulate` with the options of System.simulate, such as simulate = {"duration": 2.0};
+    the options given here take precedence. A file with a function main(out) does everything itself: it is
+    called with the folder for results, and a Motion that it returns is saved.
 
-    MODEL.json was written by Model.save; --time is needed. Modules of functions that it names are imported.
+    MODEL.json was written by Model.save; --time is required. Modules of functions that it names are imported.
 
-    A SPACAR file is read as data and never executed; results are printed in SPACAR's numbering and signs, and written
-    where --out says, a motion also as MODEL_motion.npz for `flexel view`, and with --format mat everything as MODEL.mat
-    with SPACAR's names. Without --mode, a file with TIMESTEP is simulated, one with load steps is loaded step by step,
-    and for any other file the equilibrium, its frequencies and its buckling loads
-    are computed. Of a folder, each SPACAR file is run that has SPACAR's own results beside it (.sbd, .sbm, .ltv of the
-    same name), and one table shows how well they agree.
+    A SPACAR file is read as data and never executed; results are printed in SPACAR's numbering and signs, and
+    written to the folder of --out, a motion also as MODEL_motion.npz for `flexel view`, and with --format mat
+    everything as MODEL.mat with SPACAR's names. Without --mode, a file with TIMESTEP is simulated, one with
+    load steps is loaded step by step, and for any other file the equilibrium, its frequencies and its
+    buckling loads are computed. For a folder, each SPACAR file is run that has SPACAR's own results next to
+    it (.sbd, .sbm, .ltv of the same name), and one table shows how well they agree.
 
     Ctrl-C stops a simulation; the motion so far is saved, and the exit status is 130.
     """
@@ -130,7 +130,7 @@ def run(
         others = formats or plots or linearize or checkpoint or mode is not None or warping or compare or log
         if asked or out or others:
             raise click.UsageError(
-                f"{file} is a folder of SPACAR files; only the option --dialect is for folders."
+                f"{file} is a folder of SPACAR files; only the option --dialect applies to folders."
             )
         _run_folder(file, dialect)
         return
@@ -138,7 +138,7 @@ def run(
         if asked or set(formats) - {"mat"} or plots or linearize or checkpoint:
             raise click.UsageError(
                 f"{file} specifies its own analysis; only the options --mode, --dialect, --warping, "
-                "--compare, --log, --format mat and --out are for SPACAR files."
+                "--compare, --log, --format mat and --out apply to SPACAR files."
             )
         out = out or (Path("out") / file.stem if log or formats else None)
         own = {"mode": mode, "dialect": dialect, "compare": compare, "log": log, "mat": bool(formats)}
@@ -151,7 +151,7 @@ def run(
         )
     if mode is not None or dialect is not None or warping is not None or compare or log:
         raise click.UsageError(
-            f"{file}: --mode, --dialect, --warping, --compare and --log are for SPACAR files, MODEL.dat."
+            f"{file}: --mode, --dialect, --warping, --compare and --log apply to SPACAR files, MODEL.dat."
         )
     folder = out or Path("out") / file.stem
     if checkpoint:
@@ -237,7 +237,7 @@ def _report_modes(lin: LinearizedSystem) -> None:
     if lin.acceleration > UNSTEADY:
         click.echo(
             f"no modes: the state at t = {lin.state.t:g} s is neither an equilibrium nor a steady motion (residual "
-            f"forces {lin.acceleration:.2g} of those that balance); simulate until it is at rest, or linearize about "
+            f"forces {lin.acceleration:.2g} of the balancing ones); simulate until it is at rest, or linearize about "
             "system.equilibrium() or system.steady() in Python"
         )
         return

@@ -32,7 +32,7 @@ NEEDED_NAMES = ("build", "analyse", "points")
     "--workers", type=click.IntRange(min=1), metavar="N", help="Number of processes; all by default."
 )
 @click.option("--scheduler", metavar="ADDRESS", help="Compute on the dask cluster with this address.")
-@click.option("--retry", is_flag=True, help="Compute points again that failed before.")
+@click.option("--retry", is_flag=True, help="Recompute points that failed before.")
 def sweep(file: Path, out: Path | None, workers: int | None, scheduler: str | None, retry: bool) -> None:
     """Build and analyse a model at many points, and keep the results in a folder.
 

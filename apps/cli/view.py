@@ -19,13 +19,13 @@ if TYPE_CHECKING:
     metavar="FILE.html",
     help="File of the page; next to the result by default.",
 )
-@click.option("--title", default="", help="Written above the picture; the name of the result by default.")
+@click.option("--title", default="", help="Title above the picture; the name of the result by default.")
 @click.option("--open", "open_it", is_flag=True, help="Open the page in a browser.")
 def view(file: Path, out: Path | None, title: str, open_it: bool) -> None:
     """Write a page that shows a saved RESULT (.npz, .nc, .mat, .csv, or SPACAR's .sbd) in any browser, offline.
 
-    A motion or periodic motion is played; of a linearization the modes are shown, of a model (.json) the initial state.
-    Nothing in a result is executed; of a model the modules of functions that it names are imported.
+    A motion or periodic motion is played; a linearization is shown by its modes, a model (.json) by its initial state.
+    Nothing in a result is executed; for a model, the modules of functions that it names are imported.
     """
     from flexel.base.errors import FlexelError
     from flexel.results.saved.loading import load_result
@@ -34,7 +34,7 @@ def view(file: Path, out: Path | None, title: str, open_it: bool) -> None:
     try:
         result = _start_of(file) if file.suffix.lower() == ".json" else load_result(file)
         if isinstance(result, SpacarRecords):
-            raise click.UsageError(f"{file} holds matrices, without nodes to draw; give the .sbd file.")
+            raise click.UsageError(f"{file} contains matrices but no nodes to draw; give the .sbd file.")
         path = result.view(out or file.with_suffix(".html"), title=title or file.stem)
     except FlexelError as error:
         raise click.ClickException(str(error)) from error

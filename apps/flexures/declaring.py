@@ -41,7 +41,7 @@ ROTATION = "rotation"
 def flexure_model(
     nodes: Any, elements: Any, node_properties: Any = None, element_properties: Any = (), options: Any = None
 ) -> Model:
-    """Build the model of a flexure mechanism in tables without analysing it: to check it, draw it, or extend it.
+    """Build the model of a flexure mechanism from tables without analysing it: to check it, draw it, or extend it.
 
     The arguments are those of `flexure`.  Nodes are called "node 1" and "frame 1", …, elements "element 1", …; the
     beams of a divided element "element 1 beam 1", ….  Loads and prescribed motions are functions of time: from
@@ -51,7 +51,7 @@ def flexure_model(
     Parameters
     ----------
     nodes, elements, node_properties, element_properties, options
-        As of `flexure`; of the options only gravity and both_ways matter.
+        As for `flexure`; of the options, only gravity and both_ways matter.
 
     Raises
     ------
@@ -87,7 +87,7 @@ def declared(tables: FlexureTables) -> Model:
     for node, given in tables.nodes.items():
         load_node(m, node, given, schedule_of(tables))
     if all(np.all(m.nodes[node_name(i + 1)].fixed) for i in range(len(tables.places))):
-        raise ModelError("flexure: node_properties: all nodes are fixed, nothing can move; leave one free")
+        raise ModelError("flexure: node_properties: all nodes are fixed, so nothing can move; leave one free")
     return m
 
 
@@ -204,7 +204,7 @@ def _section(group: ElementProperties, owner: str) -> Section | None:
     kind, count = SECTIONS[given]
     listed = np.atleast_1d(array(() if sizes is None else sizes, owner, "dimensions"))
     if listed.shape != (count,):
-        raise ModelError(f"{owner}: dimensions {sizes!r:.60} of a {given}; give {count} number(s) [m]")
+        raise ModelError(f"{owner}: dimensions {sizes!r:.60} for a {given}; give {count} number(s) [m]")
     with _in(owner):
         return kind(*listed.tolist())
 

@@ -29,12 +29,13 @@ from flexel.statics.load_path import static_path
 def flexure(
     nodes: Any, elements: Any, node_properties: Any = None, element_properties: Any = (), options: Any = None
 ) -> Flexure:
-    """Analyse a flexure mechanism given in tables: equilibria under growing loads, and the requested results at each.
+    """Analyse a flexure mechanism from tables: equilibria under growing loads, and the requested results at each.
 
-    Each node has a position and an orientation, initially that of the global axes.  An element joins two nodes; it
-    is rigid, or a leaf spring of several beams.  Over-constraint is released, first that of flexible elements, the
-    largest contribution first; the result names what was released, which keeps the stiffness of its section.
-    With the option `both_ways` the loads go from -1 to 1 of what is given.  Nothing is printed.
+    Each node has a position and an orientation, initially that of the global axes.  An element joins two
+    nodes; it is rigid, or a leaf spring of several beams.  Over-constraint is released, starting with
+    flexible elements, the largest contribution first; the result names the released deformations, which keep the
+    stiffness of their section.  With the option `both_ways` the loads go from -1 to 1 times the given ones.
+    Nothing is printed.
 
     Parameters
     ----------
@@ -43,7 +44,7 @@ def flexure(
     elements : array_like of int (m, 2)
         The two nodes of each element, numbered from 1.
     node_properties : mapping of int to NodeProperties or mapping, optional
-        By number of the node; or a list with an entry for each node, None for a node without properties.
+        By node number; or a list with an entry for each node, None for a node without properties.
     element_properties : sequence of ElementProperties or mapping
         Groups of elements.
     options : FlexureOptions or mapping, optional
@@ -71,7 +72,7 @@ def flexure(
     ModelWarning
         If a number looks as if given in another unit, or a stress exceeds the strength of its material.
     RangeWarning
-        If a beam is bent or twisted by more than 15°: the leaf needs more of them.
+        If a beam is bent or twisted by more than 15°: the leaf needs more beams.
 
     Examples
     --------

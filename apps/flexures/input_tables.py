@@ -23,11 +23,11 @@ class FlexureTables:
     Attributes
     ----------
     places : ndarray (n, 3)
-        Of the nodes [m].
+        Positions of the nodes [m].
     ends : list of (int, int)
         Nodes of each element, counted from 1.
     nodes : dict of int to NodeProperties
-        Of the nodes that have any.
+        Properties of the nodes that have any.
     groups : list of ElementProperties
     group_of : dict of int to int
         The group that each element is in, counted from 0; others are rigid and have no mass.
@@ -99,7 +99,7 @@ def _ends(elements: Any, places: Array) -> Iterator[tuple[int, int]]:
         p, q = (_node_number(number, owner, len(places)) for number in pair.tolist())
         if float(np.linalg.norm(places[p - 1] - places[q - 1])) <= MIN_NODE_DISTANCE * size:
             raise ModelError(
-                f"{owner}: its nodes {p} and {q} are at the same place; move one, or use one node"
+                f"{owner}: its nodes {p} and {q} are at the same position; move one, or use one node"
             )
         seen |= {p, q}
         yield p, q
@@ -108,7 +108,7 @@ def _ends(elements: Any, places: Array) -> Iterator[tuple[int, int]]:
     idle = sorted(set(range(1, len(places) + 1)) - seen)
     if idle:
         raise ModelError(
-            f"flexure: nodes row {idle[0]}: no element has this node; connect it, or drop the row"
+            f"flexure: nodes row {idle[0]}: no element uses this node; connect it, or drop the row"
         )
 
 
@@ -168,7 +168,7 @@ def _group_of(groups: Sequence[ElementProperties], count: int) -> dict[int, int]
             element = int(value)
             if element in found:
                 raise ModelError(
-                    f"{owner}: element {element} is in row {found[element] + 1} already; name it in one row only"
+                    f"{owner}: element {element} is already in row {found[element] + 1}; name it in one row only"
                 )
             found[element] = i
     return found

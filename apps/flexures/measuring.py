@@ -79,7 +79,7 @@ class Measuring:
             np.array([read(state) for state in states]) for read in (self._forces, self._moments)
         )
         found = {
-            "drawn": Variable(("node", "component"), self.tables.places, "m", "places as drawn"),
+            "drawn": Variable(("node", "component"), self.tables.places, "m", "positions as drawn"),
             "position": Variable(place, x, "m"),
             "quaternion": Variable(("time", "node", "parameter"), q, "", "rotation as Euler parameters"),
             "euler_angles": Variable(
@@ -169,7 +169,7 @@ class Measuring:
         load = [state.t for state in states]
         names, values = tracked(load, self.tables.places, rows, shapes, count)
         self.tracked[dimension] = names
-        return Variable(("time", dimension), values, unit, "of each mode, followed by its shape")
+        return Variable(("time", dimension), values, unit, "of each mode, tracked by its shape")
 
     def _buckling(self, states: Sequence[State]) -> dict[str, Variable]:
         """Compute multipliers of the acting forces and moments: 1 + the multiplier of an equal further increment."""

@@ -134,9 +134,7 @@ def _components(given: Any, owner: str, what: str) -> dict[int, float]:
                 raise ModelError(f"{owner}: {what}: {unknown(str(name), AXES, 'axis')}")
         return {AXES.index(name): number(value, owner, f"{what} in {name}") for name, value in given.items()}
     if not isinstance(given, (list, tuple, np.ndarray)) or np.shape(np.asarray(given, dtype=object)) != (3,):
-        raise ModelError(
-            f"{owner}: {what} {given!r:.60}; give three numbers, None for what is free, or {{'x': …}}"
-        )
+        raise ModelError(f"{owner}: {what} {given!r:.60}; give three numbers, None where free, or {{'x': …}}")
     return {
         i: number(value, owner, f"{what} in {AXES[i]}") for i, value in enumerate(given) if value is not None
     }
@@ -147,7 +145,7 @@ def _contradictions(
 ) -> None:
     for i in prescribed:
         if fixed[i]:
-            raise ModelError(f"{owner}: {what} in {AXES[i]} is fixed and prescribed; drop one of them")
+            raise ModelError(f"{owner}: {what} in {AXES[i]} is both fixed and prescribed; drop one of them")
 
 
 def _rotation(
@@ -165,7 +163,7 @@ def _rotation(
     across = max(float(np.linalg.norm(turn - (turn @ axis) * axis)) for turn in (start, growth))
     if across > PARALLEL_TOLERANCE * size:
         raise ModelError(
-            f"{owner}: rotation and rotation_initial have different axes; give both about one axis"
+            f"{owner}: rotation and rotation_initial have different axes; give both about the same axis"
         )
     a, b = float(start @ axis), float(growth @ axis)
     farthest = max((a + share * b for share in schedule.growing), key=abs)

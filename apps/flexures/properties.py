@@ -28,7 +28,7 @@ class NodeProperties:
     Parameters
     ----------
     fixed : bool or sequence of str
-        True holds the node; "position" and "rotation" hold all of these, "x", "y", "z" single coordinates.
+        True fixes the whole node; "position" or "rotation" all coordinates of that kind, "x", "y" or "z" a single one.
     force, force_initial : sequence of float (3,), optional
         Force in global axes [N].
     moment, moment_initial : sequence of float (3,), optional
@@ -36,8 +36,8 @@ class NodeProperties:
     displacement, displacement_initial : sequence (3,) with None for what is free, or {"x": …}, optional
         Prescribed displacement from the drawn position, in global axes [m].
     rotation, rotation_initial : sequence (3,) with None for what is free, or {"z": …}, optional
-        Prescribed rotation [rad] below half a turn.  All three: a rotation by its length about its direction.  One
-        or two: the components of this rotation about global axes, the rest following freely.
+        Prescribed rotation [rad] below half a turn.  All three: a rotation about the vector's direction, by
+        its length.  One or two: these components of the rotation about global axes; the others are free.
     mass : float
         [kg]
     inertia : array_like, optional
@@ -119,15 +119,15 @@ class FlexureOptions:
     steps : int
         Number of load steps; step 0 has the initial loads alone.
     both_ways : bool
-        Whether the loads also act reversed: twice as many steps, from -1 to 1 of the loads, with the initial loads
-        alone in the middle.
+        Whether the loads also act reversed: twice as many steps, from -1 to 1 times the loads, with the
+        initial loads alone in the middle.
     gravity : sequence of float (3,)
         [m/s²]
     release : bool or sequence of str
         True releases the over-constraint and reports it; False refuses such a mechanism.  Names such as
         "element 1 beam 2.torsion" or "element 3.bend3" release these, and refuse remaining over-constraint.
     compliance : bool or sequence of int
-        Whether the compliance of all nodes is computed; or of which.
+        Whether to compute the compliance of all nodes; or the nodes for which to compute it.
     frequencies, buckling : int
         Number of natural frequencies, and of buckling multipliers, at each step.
     """
@@ -157,5 +157,5 @@ def properties_of(kind: type[Properties], given: Any, owner: str) -> Properties:
         if name not in known:
             raise ModelError(f"{owner}: {unknown(str(name), known, 'property')}")
     if kind is ElementProperties and "elements" not in given:
-        raise ModelError(f"{owner}: it does not say for which elements; give elements=[1, 2, …]")
+        raise ModelError(f"{owner}: its elements are missing; give elements=[1, 2, …]")
     return kind(**given)

@@ -139,7 +139,7 @@ def _static(file: Spacar) -> Analysis:
     if file.model.loads:
         results["multipliers"] = np.array([mode.multiplier for mode in file.buckling()])
         multipliers = [f"  {multiplier: .9e}" for multiplier in results["multipliers"]]
-        lines += ["load multipliers of buckling", *(multipliers or ["  none: these loads do not buckle it"])]
+        lines += ["load multipliers of buckling", *(multipliers or ["  none: these loads cause no buckling"])]
     try:
         matrices = file.matrices(state)
     except DynamicsError as error:  # equilibria and frequencies need no mass for every degree of freedom

@@ -142,7 +142,7 @@ class _BlockReader:
         if not self.twente:
             self._ended = self._ended or line
         elif self._ended is not None:
-            raise line.error(f"the model has ended in line {self._ended.number}; remove the line")
+            raise line.error(f"the model ended in line {self._ended.number}; remove the line")
         elif word == "HALT":
             if self._pending is None:
                 raise line.error("there is no END before it; write END HALT")

@@ -152,7 +152,7 @@ def _mass(entry: ElementEntry, planar: bool, lumped: bool = False) -> dict[str, 
         return {}
     line = entry.lines["EMASS"]
     if len(values) > (6 if entry.line.keyword == "BEAMW" else 5):
-        raise line.error(f"{len(values) + 1} numbers given; it is written EMASS {KEYWORDS['EMASS'].form}")
+        raise line.error(f"{len(values) + 1} numbers given; write EMASS {KEYWORDS['EMASS'].form}")
     if len(values) > 4 and values[4] and not lumped:
         raise line.error(
             "a product of inertia of the section is not supported; turn the section to its principal axes"

@@ -29,7 +29,7 @@ def coefficients(entry: ElementEntry, keyword: str) -> Array:
             f"{len(given)} values given; a {entry.line.keyword} has {', '.join(kind.stiffness)}"
         )
     if any(value < 0 for value in given):
-        raise entry.lines[keyword].error("a value is negative; give zero or positive ones")
+        raise entry.lines[keyword].error("a value is negative; give zero or positive values")
     K = np.zeros((len(kind.modes),) * 2)
     if entry.line.keyword not in BEAM_MODES:
         along = entry.line.keyword in ("TRUSS", "PLTRUSS", "PLBELT")
@@ -44,7 +44,7 @@ def coefficients(entry: ElementEntry, keyword: str) -> Array:
 
 
 def beam_stiffnesses(kind: ElementType, given: Sequence[float]) -> dict[str, float]:
-    """Stiffnesses of a beam in the form of `Model.beam`, from the numbers of a file, without those that are zero."""
+    """Return the nonzero stiffnesses of a beam in the form of `Model.beam`, from the numbers of a file."""
     values = {key: value for key, value in zip(kind.stiffness, given, strict=False) if value}
     if "EI" in values:
         values["EIz"] = values.pop("EI")
@@ -112,7 +112,8 @@ def initial_stresses(entry: ElementEntry) -> Array:
     for i, value in enumerate(given, 1):
         if value and i not in entry.free:
             raise entry.lines["ESIG"].error(
-                f"mode {i} of element {entry.number} is rigid, and its stress a reaction; release it (RLSE), or give 0"
+                f"mode {i} of element {entry.number} is rigid, so its stress is a reaction; "
+                "release it (RLSE), or give 0"
             )
     found = np.array([*given, *([0.0] * (modes - len(given)))])
     if entry.line.keyword == "BEAMW":  # conjugate to e7 and e8 without the torsion, which our modes contain

@@ -114,7 +114,7 @@ class SpacarFile(Portable):
         except ConstraintError as error:
             raise ConstraintError(
                 f"{self.path.name}: {error} (in the file: a degree of freedom is named by DYNE or DYNX, "
-                "a kinematic one by ENHC or KINE, a given motion is INPUTE or INPUTX, RLSE releases and FIX holds)"
+                "a kinematic one by ENHC or KINE, a prescribed motion is INPUTE or INPUTX, RLSE releases and FIX holds)"
             ) from error
         except ModelError as error:
             raise ModelError(f"{self.path.name}: {error}") from error
@@ -136,8 +136,8 @@ class SpacarFile(Portable):
     def stress(self, state: State, element: int, i: int) -> float:
         """Return the generalized stress conjugate to `deformation`, in SPACAR's sign.
 
-        In the Twente dialect that of a rigid beam is without the moments by which its own weight bends it, as in
-        SPACAR; they are in equilibrium and move nothing.
+        In the Twente dialect, the stress of a rigid beam excludes the moments by which its own weight bends
+        it, as in SPACAR; they are in equilibrium and move nothing.
         """
         name, factor = self._mode(element, i)
         self._check_state(state)

@@ -113,12 +113,12 @@ def length(entry: ElementEntry) -> float:
     """Return the distance between the first and the last position node as drawn; an error if there is none."""
     points = [node for node in entry.nodes if node.kind.endswith("point")]
     if any(node.unread for node in points):
-        raise FollowingError(f"{entry.name}: a line about its nodes could not be read; correct that")
+        raise FollowingError(f"{entry.name}: a line about its nodes could not be read; correct that line")
     distance = float(np.linalg.norm(points[-1].x - points[0].x))
     if not distance:
         first, last = points[0].number, points[-1].number
         raise entry.line.error(
-            f"the nodes {first} and {last} coincide as drawn and the element has no length; give their coordinates"
+            f"the nodes {first} and {last} coincide as drawn, so the element has no length; give their coordinates"
         )
     return distance
 

@@ -1,4 +1,4 @@
-"""Implements `flexel run FOLDER`: runs all SPACAR files of a folder and compares them with the results beside them."""
+"""Implements `flexel run FOLDER`: runs all SPACAR files of a folder and compares them with the results next to them."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class FolderReport:
 
 
 def run_folder(folder: str | Path, dialect: str | None = None) -> FolderReport:
-    """Run each SPACAR file that has results of the same name beside it (.sbd, .sbm, .ltv), and compare.
+    """Run each SPACAR file that has results of the same name next to it (.sbd, .sbm, .ltv), and compare.
 
     Parameters
     ----------
@@ -68,14 +68,14 @@ def run_folder(folder: str | Path, dialect: str | None = None) -> FolderReport:
         )
     stems = {path.stem.lower() for path in models}
     remarks = [
-        f"{path.name}: there is no model of that name" for path in results if path.stem.lower() not in stems
+        f"{path.name}: there is no model of this name" for path in results if path.stem.lower() not in stems
     ]
     rows: list[tuple[str, ...]] = []
     failed = False
     for path in models:
         own = [result for result in results if result.stem.lower() == path.stem.lower()]
         if not own:
-            remarks.append(f"{path.name}: there are no results of SPACAR beside it; not run")
+            remarks.append(f"{path.name}: there are no SPACAR results next to it; not run")
             continue
         try:
             for row, more in _compared(path, own, dialect):

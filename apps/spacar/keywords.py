@@ -16,7 +16,7 @@ WARPING = ("spacar", "vlasov")  # what a beam with warping is: SPACAR's element,
 class Usage:
     """Syntax of a keyword: the form, the least and largest count of numbers, or of words of any text.
 
-    `meaning` is the keyword that it is for the rest of the program, if that is another one.
+    `meaning` is the keyword by which the rest of the program knows it, if that is another one.
     """
 
     form: str

@@ -72,7 +72,7 @@ def read_lines(path: Path, dialect: str | None, problems: Problems) -> tuple[str
     Raises
     ------
     ModelError
-        Text that is not a SPACAR file, or of which the dialect is not clear.
+        Text that is not a SPACAR file, or whose dialect is not clear.
     """
     if dialect is not None and (not isinstance(dialect, str) or dialect not in DIALECTS):
         raise ModelError(f"read_spacar: dialect {dialect!r} is unknown; give 'delft' or 'twente'")
@@ -122,7 +122,7 @@ def _line(raw: Raw, block: int) -> Line:
     values = () if usage.text else tuple(number_in(here, word) for word in rest)
     if not usage.least <= len(rest) <= usage.most:
         what = "words" if usage.text else "numbers"
-        raise here.error(f"{len(rest)} {what} given; it is written {key} {usage.form}")
+        raise here.error(f"{len(rest)} {what} given; write {key} {usage.form}")
     return Line(raw.file, raw.number, usage.meaning or key, written, values, rest, block)
 
 
@@ -132,7 +132,7 @@ def number_in(line: Line, word: str) -> float:
         value = float("" if "_" in word or not word.isascii() else word.lower().replace("d", "e"))
     except ValueError:
         hint = (
-            "blanks separate numbers, a point their decimals"
+            "numbers are separated by blanks, decimals by a point"
             if "," in word
             else "comments begin with %, # or ;"
         )

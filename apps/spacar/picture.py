@@ -114,7 +114,7 @@ class Picture:
                 self._group = Group(line)
             similar = difflib.get_close_matches(raw.key[:99], [*HEADS, *PROPERTIES], n=1, cutoff=0.75)
             hint = f"; did you mean {similar[0]}?" if similar else ""
-            self.sheet.notes.add(line, f"is not read: what it says of pictures is not known here{hint}")
+            self.sheet.notes.add(line, f"is not read: its meaning for pictures is not known here{hint}")
 
     def _elements(self, line: Line) -> list[ElementEntry]:
         """Return the elements named by a line; without names, all elements to which it can apply."""
@@ -141,13 +141,13 @@ class Picture:
         heads, group = PROPERTIES[line.keyword], self._group
         if group is None or group.line.keyword not in heads:
             self.sheet.notes.add(
-                line, f"no effect: no {' or '.join(heads)}, to which it belongs, is before it"
+                line, f"no effect: no {' or '.join(heads)}, to which it belongs, precedes it"
             )
             return
         name = "FACECOLOR" if line.keyword == "COLOR" else line.keyword
         if name in group.own:
             raise line.error(
-                f"{group.own[name].written} is given in line {group.own[name].number} already; keep one of them"
+                f"{group.own[name].written} is already given in line {group.own[name].number}; keep one of them"
             )
         if name != "CROSSDIM":
             _check(line)

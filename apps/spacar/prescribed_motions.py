@@ -80,7 +80,7 @@ class PrescribedMotions:
                 return  # noted
             self.sheet.refuse_unread(line)
             raise line.error(
-                "it gives the motion of an input, and this is not one; name it in the first block, by INPUTX or INPUTE"
+                "it gives the motion of an input, which this is not; name it in the first block, by INPUTX or INPUTE"
                 if line.keyword in TO_INPUTS
                 else "an acceleration can only be given to an input; remove the line"
             )
@@ -88,14 +88,14 @@ class PrescribedMotions:
             first, _ = self.given.setdefault((name, order), (line, value))
             if first is not line:
                 raise line.error(
-                    f"the {KINDS[order]} is given by {first.written} in line {first.number} already; keep one of them"
+                    f"the {KINDS[order]} is already given by {first.written} in line {first.number}; keep one of them"
                 )
 
     def _change(self, line: Line) -> None:
         name, _ = self._subject(line)
         if name not in self.inputs:
             self.sheet.refuse_unread(line)
-            raise line.error("it changes an input, and this is not one; add a line INPUTX or INPUTE")
+            raise line.error("it changes an input, which this is not; add a line INPUTX or INPUTE")
         self.changes[name] = (line, line.values[2])
 
     def _prescribe(self, name: str, own: Input) -> None:

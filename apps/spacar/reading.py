@@ -36,13 +36,13 @@ def read_spacar(path: str | Path, dialect: str | None = None, *, warping: str = 
     dialect : "delft" or "twente", optional
         Recognized by the keywords if not given; the dialects differ in the order of TIMESTEP.
     warping : "spacar" or "vlasov", optional
-        What a BEAMW is: SPACAR's element, with Jw lumped at its nodes and no shortening by twist, or flexel's own, with
-        Jw spread over the length and the shortening.
+        How to read a BEAMW: as SPACAR's element, with Jw lumped at its nodes and no shortening by twist, or
+        as flexel's own, with Jw distributed over the length and with the shortening.
 
     Raises
     ------
     ModelError
-        Everything that is unknown, not supported or contradictory, together: names file, line, keyword and remedy.
+        All that is unknown, unsupported or contradictory, in one error that names file, line, keyword and remedy.
 
     Notes
     -----
@@ -113,9 +113,7 @@ def read_spacar(path: str | Path, dialect: str | None = None, *, warping: str = 
 
 def _increments(sheet: Sheet) -> int:
     """Return the number of load steps, the second number of ITERSTEP."""
-    found = sheet.problems.each(
-        lambda line: _count(line, 1, f"it is written ITERSTEP {FORM}"), sheet.of("ITERSTEP")
-    )
+    found = sheet.problems.each(lambda line: _count(line, 1, f"write ITERSTEP {FORM}"), sheet.of("ITERSTEP"))
     return found[0] if found else DEFAULT_STEPS
 
 

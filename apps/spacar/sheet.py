@@ -19,7 +19,7 @@ OF_BEAM = {"ESTIFF": 6, "EDAMPP": 6, "EMASS": 5, "ESIG": 6}
 OF_BEAMW = {"ESTIFF": 7, "EDAMPP": 7, "EMASS": 6, "ESIG": 8}
 MEANING = {
     "BEAM": (OF_BEAM, "the last numbers belong to warping, which a BEAM does not have"),
-    "BEAMW": (OF_BEAMW, "the last numbers are left out, as no description says what they are"),
+    "BEAMW": (OF_BEAMW, "the last numbers are ignored, as no description says what they mean"),
 }
 
 # how many of the first numbers identify the subject of a line that may occur only once
@@ -75,7 +75,7 @@ class Sheet:
         number, kind = line.whole(0, "element"), ELEMENTS[line.keyword]
         if number in self.elements:
             first = self.elements[number].line.number
-            raise line.error(f"element {number} exists since line {first}; give another number")
+            raise line.error(f"element {number} already exists (line {first}); give another number")
         nodes = []
         for place, node_kind in enumerate(kind.nodes, 1):
             n = line.whole(place, "node")
@@ -104,7 +104,7 @@ class Sheet:
             )
         if node.kind == "warping" and any(values):
             raise line.error(
-                "a node of warping is drawn without twist, as the element is then without strain; give 0, or make it "
+                "a node of warping is drawn without twist, so that the element is unstrained; give 0, or make it "
                 "an input with this value"
             )
         node.x, node.line = np.array(values), line
@@ -146,7 +146,7 @@ class Sheet:
         """Return an error if another line about the node or element of a line could not be read."""
         if line.values[0] in self.problems.unread:
             raise FollowingError(
-                f"node or element {line.words[0]} is in a line that could not be read; correct that"
+                f"node or element {line.words[0]} is in a line that could not be read; correct that line"
             )
 
     # -- subjects of lines -----------------------------------------------------------------------
@@ -156,7 +156,7 @@ class Sheet:
         n = line.whole(place, "node")
         if n not in self.nodes:
             if n in self.problems.unread:
-                raise FollowingError(f"node {n} is in a line that could not be read; correct that")
+                raise FollowingError(f"node {n} is in a line that could not be read; correct that line")
             raise line.error(f"no element has the node {n}; correct the number, or remove the line")
         return self.nodes[n]
 
@@ -165,7 +165,7 @@ class Sheet:
         n = line.whole(place, "element")
         if n not in self.elements:
             if n in self.problems.unread:
-                raise FollowingError(f"element {n} is in a line that could not be read; correct that")
+                raise FollowingError(f"element {n} is in a line that could not be read; correct that line")
             known = ", ".join(map(str, sorted(self.elements)[:20])) or "none"
             raise line.error(f"element {n} does not exist; elements are {known}")
         return self.elements[n]

@@ -53,7 +53,7 @@ def _numbered(line: Line, what: str, seen: dict[int, Line]) -> Line:
     number = line.whole(0, what)
     first = seen.setdefault(number, line)
     if first is not line:
-        raise line.error(f"{what} {number} is given in line {first.number} already; give another number")
+        raise line.error(f"{what} {number} is already given in line {first.number}; give another number")
     return line
 
 

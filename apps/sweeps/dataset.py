@@ -36,7 +36,7 @@ def open_sweep(folder: str | Path) -> Dataset:
     kept = described(place)
     if kept is None:
         raise ModelError(
-            f"{folder} is not the folder of a sweep; give one that fx.sweep or flexel sweep has written"
+            f"{folder} is not the folder of a sweep; give one written by fx.sweep or flexel sweep"
         )
     columns = {
         name: _array(place / "points" / f"{i}.npy") for i, name in enumerate(kept["points"]["parameters"])
@@ -92,6 +92,6 @@ def _array(path: Path, shape: tuple[int, ...] | None = None) -> Any:
         return found if shape is None else found.reshape(shape)
     except Exception as error:  # a damaged file may raise anything
         raise ModelError(
-            f"sweep '{path}': the file is missing or damaged ({error!s:.100}); take a copy of the folder, or "
+            f"sweep '{path}': the file is missing or damaged ({error!s:.100}); use a backup of the folder, or "
             "delete it and call fx.sweep again"
         ) from error

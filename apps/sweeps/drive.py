@@ -107,7 +107,7 @@ class Drive:
                 return
             except RuntimeError as error:
                 raise FlexelError(
-                    f"sweep: the executor takes no work: {error}; give one that is open"
+                    f"sweep: the executor accepts no work: {error}; give an open one"
                 ) from error
             self.pending[future] = chunk
             if chunk.alone or len(self.pending) >= slots * (CHUNKS_PER_WORKER if known else 1):
@@ -144,7 +144,7 @@ class Drive:
         except Exception as error:  # an error outside the point and its worker
             raise FlexelError(
                 f"sweep: the executor failed with {type(error).__name__}: {error}; what workers import must be "
-                "installed where they are"
+                "installed on their machines"
             ) from error
         chunk = self.pending.pop(future)
         log.debug("points %d to %d in %.3g s", chunk.begin, chunk.end - 1, outcome.seconds)
@@ -201,8 +201,8 @@ class Drive:
         self.killers += 1
         if not self.succeeded and self.killers >= MAX_KILLERS:
             raise FlexelError(
-                f"sweep: all workers die, the last one at {self.points.shown(chunk.begin)} "
+                f"sweep: all workers die, the last at {self.points.shown(chunk.begin)} "
                 f"({str(error).partition('.')[0]}); try executor='serial', or give them more memory"
             ) from error
-        message = "its worker died each time, also with nothing else under way; it may need more memory"
+        message = "its worker died each time, even when it ran alone; it may need more memory"
         self.held.append(Outcome(chunk.begin, 1, [], {0: message}, 0.0))

@@ -88,7 +88,7 @@ class Pool:
     deaths : tuple of exception types
         Raised for a chunk whose worker has died.
     make : function, optional
-        Makes an executor in place of a broken one; None if the executor is the user's.
+        Makes an executor to replace a broken one; None if the executor is the user's.
     ends : function
         Ends the workers of an executor made here; immediately, if the second argument is true.
     """
@@ -109,7 +109,7 @@ class Pool:
         if self.make is None:
             raise FlexelError(
                 f"the executor broke down ({str(cause).partition('.')[0]}); give another one, or a function that makes "
-                "it, which is called again after a breakdown"
+                "one, to be called again after a breakdown"
             ) from cause
         self.executor.shutdown(wait=False)
         self.executor = self.make()

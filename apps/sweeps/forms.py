@@ -62,7 +62,7 @@ def results_of(returned: Any, parameters: tuple[str, ...]) -> tuple[Forms, dict[
     values: dict[str, Numbers] = {}
     for name, value in returned.items():
         if not isinstance(name, str) or name in parameters or name in RESERVED_NAMES:
-            raise ModelError(f"analyse returned {name!r}, a name that is taken or no text; choose another")
+            raise ModelError(f"analyse returned {name!r}, a name in use or not a string; choose another")
         form, values[name] = _result(name, value)
         forms.append((name, form))
     _check(forms, (*parameters, *RESERVED_NAMES))
@@ -105,11 +105,11 @@ def _check(forms: list[tuple[str, Form]], taken: tuple[str, ...]) -> None:
         for dim, size in zip(form.dims, form.shape, strict=True):
             if dim in taken:
                 raise ModelError(
-                    f"analyse returned '{name}' with the dimension '{dim}', which is taken; rename it"
+                    f"analyse returned '{name}' with the dimension '{dim}', a name in use; rename it"
                 )
             if known.setdefault(dim, (size, labels.get(dim))) != (size, labels.get(dim)):
                 raise ModelError(
-                    f"analyse returned '{name}' with another size or labels of '{dim}' than other results"
+                    f"analyse returned '{name}' with a size or labels of '{dim}' unlike those of other results"
                 )
 
 
@@ -123,7 +123,7 @@ def misfit(found: Forms, known: Forms) -> str | None:
     name = next(key for key in here if here[key] != there[key])
     if (here[name].shape, here[name].dims) != (there[name].shape, there[name].dims):
         return f"analyse returned {here[name]} as '{name}' here, and {there[name]} at other points; return the same"
-    return f"the labels or units of '{name}' are not those of other points; return the same"
+    return f"the labels or units of '{name}' differ from those of other points; return the same"
 
 
 def _brief(value: Any) -> str:

@@ -51,7 +51,7 @@ def sweep(
     Parameters
     ----------
     build : function
-        ``build(**point)`` returns the `Model` at a point. Anything else it returns goes to `analyse` as it is.
+        ``build(**point)`` returns the `Model` at a point. Any other return value is passed on to `analyse`.
     points : mapping, Points or iterable of mappings
         A mapping gives the values of each parameter, and all combinations are computed; see also `grid`, `listed` and
         `sample`. An iterable gives the points one by one.
@@ -60,7 +60,7 @@ def sweep(
         dimensions, labels and units of an xarray.DataArray are kept.
     executor : optional
         By default processes of joblib. "serial" computes in this process. Or an executor of `concurrent.futures`, a
-        function that makes one (and another when its workers have died), or a Client of dask.distributed.
+        function that makes one (and a new one when its workers have died), or a Client of dask.distributed.
     workers : int, optional
         Number of points to compute at the same time; by default that of the executor.
     folder : path, optional
@@ -69,21 +69,21 @@ def sweep(
     chunk : int, optional
         Number of points given to a worker at a time; by default as many as take 0.2 s.
     retry_failed : bool
-        Compute points again that failed when the folder was written.
+        Recompute points that failed when the folder was written.
     progress : bool, optional
         Progress bar on stderr; by default where stderr is a terminal.
 
     Returns
     -------
     xarray.Dataset
-        The results over the parameters, for points one by one over ``point``; NaN where a point failed. ``failed``
-        holds the message of each point that failed, and is empty at the others; the attribute ``message`` says how it
-        ended. After Ctrl-C it holds the points computed so far.
+        The results over the parameters, for points one by one over ``point``; NaN where a point failed.
+        ``failed`` holds the message of each point that failed, and is empty at the others; the attribute
+        ``message`` says how the sweep ended. After Ctrl-C the dataset holds the points computed so far.
 
     Raises
     ------
     ModelError
-        For parameters that `build` does not have, bad points, another sweep in the folder; or if all points failed.
+        For parameters that `build` does not take, bad points, another sweep in the folder; or if all points failed.
 
     Warns
     -----
@@ -150,7 +150,7 @@ def _reported(data: xarray.Dataset, store: Store, interrupted: bool) -> xarray.D
     if interrupted:
         data.attrs["message"] = f"interrupted: {message}"
     elif failed and not done:
-        raise ModelError(f"sweep: {message}; correct this; with a folder, call with retry_failed=True")
+        raise ModelError(f"sweep: {message}; fix the cause; with a folder, call with retry_failed=True")
     elif failed:
         warnings.warn(f"sweep: {message}", IncompleteWarning, stacklevel=outside())
     return data

@@ -30,7 +30,7 @@ class Points:
     values : mapping of str to ndarray
         Of each parameter: along its axis of a grid, else at each point.
     is_grid : bool
-        Whether the points are all combinations; the last parameter changes first.
+        Whether the points are all combinations; the last parameter varies fastest.
     """
 
     values: Mapping[str, Column]
@@ -96,12 +96,12 @@ class Points:
 
 
 def grid(axes: Mapping[str, Iterable[Any]]) -> Points:
-    """Combine the values of parameters in all ways, as points of `fx.sweep`.
+    """Combine the values of parameters in all possible ways, as points for `fx.sweep`.
 
     Parameters
     ----------
     axes : mapping of str to sequence
-        Numbers, strings or booleans by parameter of ``build``. The last parameter changes first.
+        Numbers, strings or booleans by parameter of ``build``. The last parameter varies fastest.
 
     Examples
     --------

@@ -94,7 +94,7 @@ class Store:
         except BlockingIOError:
             lock.close()
             raise ModelError(
-                f"sweep: another process writes to {self.folder}; wait, or give another folder"
+                f"sweep: another process is writing to {self.folder}; wait, or give another folder"
             ) from None
         return lock
 
@@ -219,8 +219,8 @@ def forms_of(kept: dict[str, Any]) -> Forms | None:
         return tuple((name, Form.from_json(form)) for name, form in kept["results"])
     except (KeyError, TypeError, ValueError, AttributeError) as error:
         raise ModelError(
-            f"sweep: sweep.json no longer describes its results ({error!r:.100}); the file is damaged: take a "
-            "copy of it, or sweep again in another folder"
+            f"sweep: sweep.json no longer describes its results ({error!r:.100}); the file is damaged: use a "
+            "backup of it, or sweep again in another folder"
         ) from error
 
 

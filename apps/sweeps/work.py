@@ -48,7 +48,7 @@ class Job:
             return cls(require("cloudpickle", "sweep").dumps((build, analyse)), files, os.getpid())
         except (PicklingError, TypeError, AttributeError, ValueError, RecursionError) as error:
             raise ModelError(
-                f"sweep: build or analyse cannot be sent to other processes: {error}; make what cannot be pickled "
+                f"sweep: build or analyse cannot be sent to other processes: {error}; create what cannot be pickled "
                 "inside them, or run with executor='serial'"
             ) from error
 

@@ -20,19 +20,19 @@ if TYPE_CHECKING:
 def plot_bode(
     response: FrequencyResponse, path: str | Path | None = None, *, decibels: bool = False, title: str = ""
 ) -> Figure:
-    """Draw magnitudes, on one pair of axes for each unit, and below them the phases of all pairs of input and output.
+    """Plot magnitudes, on one pair of axes for each unit, and below them the phases of all pairs of input and output.
 
     Parameters
     ----------
     path : path, optional
         File for the figure; the suffix determines the format.
     decibels : bool
-        Magnitudes in decibels of one unit; ratios on a logarithmic axis otherwise.
+        Magnitudes in decibels relative to one unit; ratios on a logarithmic axis otherwise.
     title : str
     """
     f, title = response.frequencies, caption(title, "bode")
     if f[0] <= 0:
-        raise ModelError("bode: the axis of frequencies is logarithmic; give positive ones")
+        raise ModelError("bode: the frequency axis is logarithmic; give positive frequencies")
     pairs = [(i, j) for i in range(len(response.outputs)) for j in range(len(response.inputs))]
     units = list(dict.fromkeys(response.units[i][j] for i, j in pairs))
     shown = response.decibels if decibels else response.magnitude

@@ -82,7 +82,7 @@ def plot_shape(
     view: View | None = None,
     title: str = "",
 ) -> Figure:
-    """Draw a mode shape over its state, which is in grey.
+    """Draw a mode shape over its state, shown in grey.
 
     Parameters
     ----------
@@ -115,7 +115,7 @@ def coordinates_of(structure: Structure, shape: Mapping[str, complex]) -> Any:
         if i >= 0:
             X[i] = value
     if not np.any(X):
-        raise ModelError("shape: it moves no coordinate; give the displacements of coordinates, by name")
+        raise ModelError("shape: no coordinate moves; give the displacements of coordinates, by name")
     return X
 
 

@@ -45,7 +45,7 @@ class LoadSteps(Protocol):
         """Buckling multipliers of each mode at the steps, by name."""
 
     def stiffness(self, node: int, body_axes: bool = False) -> Array:
-        """Stiffness of a node at the steps."""
+        """Return the stiffness of a node at the steps."""
 
 
 def plot_flexure(result: LoadSteps, nodes: Sequence[int], path: str | Path | None = None) -> Figure:

@@ -91,7 +91,7 @@ def plot_phase(motion: Trajectory, x: str, y: str, path: str | Path | None = Non
     with figure(size=(6.0, 5.0)) as (drawn, axes):
         axes.plot(across, up, color=COLOURS[0])
         axes.plot(across[:1], up[:1], "o", color=COLOURS[1], ms=5, label=f"t = {motion.t[0]:g} s")
-        axes.set(xlabel=axis_label([x], unit_x), ylabel=axis_label([y], unit_y), title=f"{y} over {x}")
+        axes.set(xlabel=axis_label([x], unit_x), ylabel=axis_label([y], unit_y), title=f"{y} against {x}")
         if unit_x == unit_y == "m":  # the path of a point
             axes.set_aspect("equal", adjustable="datalim")
         axes.legend(loc="upper right")
@@ -132,7 +132,7 @@ def plot_poles(
         else:
             marks = axes.scatter(w.real, w.imag, c=colour, cmap="viridis", **style)
             drawn.colorbar(marks, ax=axes, label=label)
-        title = "Eigenvalues" if parameter is None else f"Eigenvalues over {label.partition(' [')[0]}"
+        title = "Eigenvalues" if parameter is None else f"Eigenvalues against {label.partition(' [')[0]}"
         axes.set(xlabel="real part [1/s]", ylabel="imaginary part [rad/s]", title=title)
     save(drawn, path)
     return drawn
@@ -200,7 +200,7 @@ class StabilityBranch(Protocol):
 
 
 def plot_branch(branch: StabilityBranch, names: Sequence[str], path: str | Path | None = None) -> Figure:
-    """Plot largest magnitudes, and the largest Floquet multiplier, over the speed; unstable motions are dashed."""
+    """Plot largest magnitudes, and the largest Floquet multiplier, against the speed; unstable motions are dashed."""
     rows = [(branch.largest(name), name, branch[0].unit(name)) for name in names]
     rows.append((branch.modulus, "largest multiplier", ""))
     w = branch.omega
@@ -221,7 +221,7 @@ def plot_branch(branch: StabilityBranch, names: Sequence[str], path: str | Path 
         axes[0, 0].plot([], [], "-", color=COLOURS[0], label="stable")
         if not branch.stable.all():
             axes[0, 0].plot([], [], "--", color=COLOURS[0], label="unstable")
-        axes[0, 0].set_title("Largest magnitudes of the periodic motions over their speed")
+        axes[0, 0].set_title("Largest magnitudes of the periodic motions against their speed")
         axes[0, 0].legend(loc="upper left")
     save(drawn, path)
     return drawn

@@ -106,6 +106,6 @@ def _groups(motion: Any, names: Sequence[str | Sequence[str]]) -> Iterator[tuple
         units = {name: motion.series(name)[1] for name in group}
         if not group or len(set(units.values())) > 1:
             raise ModelError(
-                f"plot: {units} in one list; give names of one unit, each list has axes of its own"
+                f"plot: {units} in one list; give names of one unit, as each list has its own axes"
             )
         yield group, next(iter(units.values()))

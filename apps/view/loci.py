@@ -1,4 +1,4 @@
-"""Draws root loci: eigenvalues over a parameter or in the complex plane, one colour and name for each branch."""
+"""Plots root loci: eigenvalues against a parameter or in the complex plane, one colour and name for each branch."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def root_loci(
     title: str = "",
     plane: bool = False,
 ) -> Figure:
-    """Plot real and imaginary parts of eigenvalues over a parameter; stable ranges are shaded.
+    """Plot real and imaginary parts of eigenvalues against a parameter; stable ranges are shaded.
 
     Parameters
     ----------
@@ -53,7 +53,7 @@ def root_loci(
         Names of branches: a name labels the branch nearest to its position, where it is written; or names of all.
     title : str
     plane : bool
-        Imaginary over real parts instead, with marks at both ends.
+        Plot imaginary against real parts instead, with marks at both ends.
     """
     branches = Branches.of(array(parameter, "root_loci", "parameter"), eigenvalues)
     return plot_loci(
@@ -75,7 +75,7 @@ def plot_loci(
     """Draw a figure of branches; see `root_loci`."""
     called, places = _names(branches, names)
     label, title = caption(label, "root_loci", "label"), caption(title, "root_loci")
-    title = title or f"Eigenvalues over {label.partition(' [')[0]}"
+    title = title or f"Eigenvalues against {label.partition(' [')[0]}"
     if plane:
         drawn = _plane(branches, called, label, title, limits)
     else:
@@ -92,12 +92,12 @@ def _names(branches: Branches, names: Names) -> tuple[list[str], Mapping[str, tu
     if not isinstance(names, Mapping):
         if isinstance(names, str) or len(names) != len(own):
             raise ModelError(
-                f"root_loci: names {names!r}; give one for each of {own}, or places of some of them"
+                f"root_loci: names {names!r}; give one for each of {own}, or positions of some of them"
             )
         return [caption(name, "root_loci", "name") for name in names], {}
     p, w = branches.parameter, branches.eigenvalues.real
     for name, place in names.items():
-        x, y = (number(coordinate, "root_loci", f"place of '{name}'") for coordinate in place)
+        x, y = (number(coordinate, "root_loci", f"position of '{name}'") for coordinate in place)
         row = w[int(np.argmin(np.abs(p - x)))]
         off = [np.abs(row[family] - y).min() for family in branches.families]
         own[int(np.nanargmin(off))] = name

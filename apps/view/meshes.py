@@ -22,7 +22,7 @@ def read_mesh(path: str | Path) -> tuple[Array, Index]:
     Parameters
     ----------
     path : path
-        ``.stl``, binary or text, or ``.obj``; polygons with more corners are split.
+        ``.stl``, binary or text, or ``.obj``; polygons with more corners are split into triangles.
 
     Raises
     ------

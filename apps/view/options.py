@@ -43,7 +43,7 @@ def checked(owner: str, picture: Callable[..., Any], options: Mapping[str, Any])
     Raises
     ------
     ModelError
-        An option of `View` given next to `view`, or an unknown one, with the nearest names.
+        An option of `View` given alongside `view`, or an unknown one, with the nearest names.
     """
     known = [
         option.name

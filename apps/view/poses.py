@@ -1,4 +1,4 @@
-"""What painters read of a model: positions, triads, forces and outputs, in one state or in many at once."""
+"""The data that painters read from a model: positions, triads, forces and outputs, in one state or in many at once."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ class Poses:
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """The leading axes of what is returned: none, or the number of states."""
+        """Leading axes of the returned arrays: none, or the number of states."""
         return () if self._alone else (len(self._x),)
 
     def coordinates(self, node: str) -> Array:

@@ -55,7 +55,7 @@ class Shape:
     opacity : float
         From 0 to 1.
     aside : bool
-        Shown in the viewer only when asked for: points within a rope or a row of flexible beams, and boxes of inertia
+        Shown in the viewer only on request: points within a rope or a row of flexible beams, and boxes of inertia
         of bodies that have a shape by other parts.
     """
 
@@ -174,7 +174,7 @@ def reports(instance: Instance, *names: str) -> bool:
 
 
 def spatial(vectors: Array) -> Array:
-    """Return places, directions or forces (…, 3); those of planar elements have no component along z."""
+    """Return positions, directions or forces (…, 3); those of planar elements have no component along z."""
     missing = 3 - vectors.shape[-1]
     return np.concatenate([vectors, np.zeros((*vectors.shape[:-1], missing))], axis=-1)
 
@@ -194,13 +194,13 @@ def frame_of(outputs: Mapping[str, Array], names: Sequence[str] = ("origin", "ax
 
 
 def posed(line: Array, pose: tuple[Array, Array]) -> Array:
-    """Return places (..., k, 3) in global axes from those (k, 3) in the axes of a frame."""
+    """Return positions (..., k, 3) in global axes from those (k, 3) in the axes of a frame."""
     origin, R = pose
     return np.asarray(origin[..., None, :] + line @ np.swapaxes(R, -1, -2))
 
 
 def segment(start: Array, end: Array) -> Array:
-    """Return the line (..., 2, 3) between two places (..., 3); or two directions."""
+    """Return the line (..., 2, 3) between two points (..., 3); or two directions."""
     return np.stack(np.broadcast_arrays(start, end), axis=-2)
 
 

@@ -40,7 +40,7 @@ class Sketch:
     point : str
         Node of the body that carries it.
     frame : str or None
-        Node with which it turns: a frame or planar angle; None for one that keeps its directions.
+        Node whose rotation it follows: a frame or planar angle; None if it keeps its directions.
     drawn : sequence of (x, y, z)
         Vertices in global axes, as the model is drawn (before it moves) [m].
     """
@@ -52,7 +52,7 @@ class Sketch:
     def __post_init__(self) -> None:
         owner = carried(self)
         if array(self.drawn, owner, "drawn").shape[1:] != (3,) or len(self.drawn) < 2:
-            raise ModelError(f"{owner}: drawn is not a list of places (x, y, z); give two or more")
+            raise ModelError(f"{owner}: drawn is not a list of points (x, y, z); give two or more")
 
     @cached_property
     def lines(self) -> tuple[Array, ...]:
@@ -138,14 +138,14 @@ class Box(Solid):
 
 @dataclass(frozen=True)
 class Cylinder(Solid):
-    """A solid cylinder between two places, as the model is drawn.
+    """A solid cylinder between two points, as the model is drawn.
 
     Parameters
     ----------
     point, frame
         As for a `Sketch`.
     start, end : sequence of float (3,)
-        Middles of its two faces, in global axes as drawn [m].
+        Centres of its two end faces, in global axes as drawn [m].
     radius : float
         [m]
     """
@@ -159,11 +159,11 @@ class Cylinder(Solid):
         a, b = vector(self.start, owner, "start", 3), vector(self.end, owner, "end", 3)
         positive(self.radius, owner, "radius")
         if np.array_equal(a, b):
-            raise ModelError(f"{owner}: start and end coincide; give the middles of its two faces")
+            raise ModelError(f"{owner}: start and end coincide; give the centres of its two end faces")
 
     @cached_property
     def surface(self) -> tuple[Array, Index]:
-        """Return two rings and the middles of the faces."""
+        """Return two rings and the centres of the end faces."""
         a, b = np.asarray(self.start, dtype=float), np.asarray(self.end, dtype=float)
         along = (b - a) / np.linalg.norm(b - a)
         u = np.cross(along, np.eye(3)[int(np.argmin(np.abs(along)))])
@@ -183,7 +183,7 @@ class Cylinder(Solid):
 
 @dataclass(frozen=True)
 class Mesh(Solid):
-    """A surface from an ``.stl`` or ``.obj`` file; it is copied into the page.
+    """A surface from an ``.stl`` or ``.obj`` file, which is copied into the page.
 
     Parameters
     ----------
@@ -192,7 +192,7 @@ class Mesh(Solid):
     path : path
         The file; its coordinates are global ones as the model is drawn, after scaling and moving.
     scale : float
-        Length of a unit of the file [m]: 0.001 for millimetres.
+        Length of one unit of the file [m]: 0.001 for millimetres.
     origin : sequence of float (3,)
         Position of the file's origin, in global axes as drawn [m].
     axes : sequence of (x, y, z), optional

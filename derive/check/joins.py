@@ -22,8 +22,8 @@ def check_law_joins(owner: str, sigma: Expr) -> None:
     for s, end, line, at in _ends(sigma):
         if _jumps(f"{owner}: {sigma}", line, s, end, at, ROUNDED):
             raise ValueError(
-                f"{owner}: {sigma} jumps at {s} = {float(at):g}; make the pieces join, or smooth the jump, such as by "
-                "tanh(ed/v) in place of sign(ed)"
+                f"{owner}: {sigma} jumps at {s} = {float(at):g}; make the pieces join, or smooth the jump, for "
+                "example with tanh(ed/v) instead of sign(ed)"
             )
 
 

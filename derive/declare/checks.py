@@ -34,7 +34,7 @@ _NOT_REAL = (sp.nan, sp.oo, -sp.oo, sp.zoo, sp.I)
 def check_name(owner: str, name: str) -> None:
     """Raise ElementError for a name that is invalid in C."""
     if not _IDENTIFIER.match(name) or name in _RESERVED:
-        raise ElementError(f"{owner}: '{name}' cannot be a name in C; choose letters, digits and underscores")
+        raise ElementError(f"{owner}: '{name}' is not a valid name in C; use letters, digits and underscores")
     if len(name) > _LONGEST:
         raise ElementError(
             f"{owner}: '{name[:20]}…' has {len(name)} letters; choose a name of at most {_LONGEST}"
@@ -42,10 +42,10 @@ def check_name(owner: str, name: str) -> None:
 
 
 def check_array(owner: str, name: str) -> None:
-    """Raise ElementError for a name that cannot be that of an output array in C, beside those of the kernels."""
+    """Raise ElementError for a name that an output array cannot have in C alongside those of the kernels."""
     check_name(owner, name)
     if name in ARRAYS | TAKEN or name.startswith("real_") or (name[0] == "t" and name[1:].isdigit()):
-        raise ElementError(f"{owner}: the output '{name}' has the name of something in the C; choose another")
+        raise ElementError(f"{owner}: the output '{name}' has a name used in the C code; choose another")
 
 
 def check_list(owner: str, what: str, given: object, kind: type) -> None:

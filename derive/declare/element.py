@@ -62,7 +62,7 @@ class Element:
         Name of the built-in element that carries a load along its length: on its first nodes, or on the first and the
         last of them, with parameters that it has itself.
     outputs : tuple of Output, optional
-        What it reports beside its deformations, such as section forces, and the places and lines that a picture draws.
+        What it reports besides its deformations, such as section forces, and the points and lines that a picture draws.
 
     Raises
     ------
@@ -168,7 +168,7 @@ class Element:
             if output.draws and output.shape[-1] != (2 if planar else 3):
                 row = "(x, y)" if planar else "(x, y, z)"
                 raise ElementError(
-                    f"{owner}: {what} is drawn, but its shape is {output.shape}; give a row {row} for each place"
+                    f"{owner}: {what} is drawn, but its shape is {output.shape}; give a row {row} for each point"
                 )
             self._check_carrier(owner, output, 2 if planar else 3)
 

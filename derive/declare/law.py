@@ -138,7 +138,7 @@ class Law:
     def _check_names(self, owner: str) -> None:
         named = [*self.e, *self.ed, *self.s, *self.z, *self.parameter_symbols, *(s for s, _ in self.let)]
         if TIME in named:
-            raise ElementError(f"{owner}: the name '{TIME}' is that of the time; rename what is called so")
+            raise ElementError(f"{owner}: the name '{TIME}' is reserved for the time; rename it")
         check_unique(owner, [s.name for s in named])
 
     def _check_expressions(self, owner: str, symbols: list[Symbol]) -> None:
@@ -162,7 +162,7 @@ class Law:
         check("the energy", self.energy)
         if self.energy.free_symbols & on_rates:
             raise ElementError(
-                f"{owner}: the energy depends on rates, slips or the time; it is one of (e, z)"
+                f"{owner}: the energy depends on rates, slips or the time; it must be a function of (e, z)"
             )
         check_text(owner, "the law", self.doc)
 

@@ -1,4 +1,4 @@
-"""Outputs: what an element reports beside its deformations, such as section forces, and what a picture draws of it."""
+"""Outputs: what an element reports besides its deformations, such as section forces, and what a picture draws of it."""
 
 from dataclasses import dataclass
 
@@ -19,14 +19,15 @@ class Output:
     unit : str
         SI unit of all components, "1" if they have none.
     values : Expr or Matrix
-        One expression, a column of components, or a matrix with a row for each place or direction.  They may contain
+        One expression, a column of components, or a matrix with a row for each point or direction.  They may contain
         ``deformation.value``, ``deformation.stress``, ``slip.stress`` and the forces ``node.f``.
     draws : str, optional
-        What a picture draws of it, one of `flexel.derive.declare.words.LINES`: the line through the places in its rows,
-        or a mark at its only place.  Not drawn by default.
+        What a picture draws of it, one of `flexel.derive.declare.words.LINES`: the line through the points in
+        its rows, or a mark at its only point.  Not drawn by default.
     carrier : tuple of str, optional
-        Names of the outputs that are origin and axes (a row each) of a moving frame.  The places are then in the axes
-        of this frame, which carries them: a line that does not deform.  By default they are in global axes.
+        Names of the outputs that are origin and axes (a row each) of a moving frame.  The points are then
+        given in the axes of this frame, which carries them: a line that does not deform.  By default they are
+        in global axes.
     """
 
     name: str
@@ -41,10 +42,10 @@ class Output:
             raise ElementError(f"{owner} has no unit; give an SI unit, or '1'")
         check_word(owner, "draws", self.draws, LINES)
         if self.draws and self.unit != "m":
-            raise ElementError(f"{owner} is drawn, but is in {self.unit}; places are in m")
+            raise ElementError(f"{owner} is drawn, but is in {self.unit}; points are in m")
         if self.carrier and not self.draws:
             raise ElementError(
-                f"{owner} has a carrier, but is not drawn; say what it draws, or leave the carrier out"
+                f"{owner} has a carrier, but is not drawn; say what it draws, or omit the carrier"
             )
         values = self.values
         if hasattr(values, "shape"):

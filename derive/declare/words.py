@@ -81,6 +81,6 @@ def check_family(owner: str, family: str, kinds: Iterable[str]) -> None:
     if own and given not in own:
         shown = " or ".join(f"({', '.join(nodes.split())})" for nodes in own)
         raise ElementError(
-            f"{owner}: the family '{family}' has the nodes {shown}, not ({', '.join(given.split())}); leave the "
+            f"{owner}: the family '{family}' has the nodes {shown}, not ({', '.join(given.split())}); omit the "
             "family out, or give its nodes"
         )

@@ -82,7 +82,7 @@ def emit(
         All elements and laws.
     only : collection of str
         Names of elements and laws to derive; all by default. The entries of the others are taken from the table in
-        `folder`; those that are not there are derived as well. All laws stand in one file and are derived together.
+        `folder`; those that are not there are derived as well. All laws are in one file and are derived together.
     folder : Path, optional
     progress : callable
         Called with each name when it has been derived; with "laws" for all of them.

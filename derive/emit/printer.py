@@ -37,7 +37,7 @@ class Loop:
 
 @dataclass(frozen=True)
 class FunctionBody:
-    """What is inside the loop over blocks: arrays that pass values between loops, and the loops."""
+    """The contents of the loop over blocks: arrays that pass values between loops, and the loops."""
 
     arrays: tuple[str, ...]
     loops: tuple[Loop, ...]

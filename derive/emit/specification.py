@@ -1,4 +1,4 @@
-"""The specification of what was derived: what the runtime reads of an element or a law."""
+"""The specification of a derived element or law: what the runtime reads of it."""
 
 from flexel.derive.declare import TIME, Deformation, Element, Law, Parameter
 from flexel.derive.declare.winding import period_terms

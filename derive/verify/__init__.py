@@ -40,7 +40,7 @@ def verify(
     Parameters
     ----------
     spec : ElementSpec or LawSpec
-        What the kernels' arrays are.
+        Describes the kernels' arrays.
     address : int
         Address of its ``flexel_element`` or ``flexel_law``.
     definition : Element or Law

@@ -1,4 +1,4 @@
-"""Compares every output of every kernel of one element or law with what it ought to be.
+"""Compares every output of every kernel of one element or law with its expected value.
 
 A relative error is |computed - reference| over the largest entry of that output, floored by the natural scale
 (l0 or 1).

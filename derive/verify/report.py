@@ -1,4 +1,4 @@
-"""What was found: rows of a table, as data, as text and as JSON."""
+"""The results: rows of a table, as data, as text and as JSON."""
 
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass
@@ -34,12 +34,12 @@ class KernelRow:
 
     @property
     def ok(self) -> bool:
-        """Both errors within their tolerances (a nan in `differences` stands for not applicable)."""
+        """Both errors are within their tolerances (a nan in `differences` means not applicable)."""
         return self.by_definition and not self.differences > DIFFERENCES_TOLERANCE
 
     @property
     def by_definition(self) -> bool:
-        """As the definition says, in every place of a batch; differences not asked."""
+        """Whether it agrees with the definition, in every lane of a batch; regardless of differences."""
         return self.reference <= REFERENCE_TOLERANCE and self.lanes and not self.note
 
 

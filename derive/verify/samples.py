@@ -107,7 +107,7 @@ def check_ranges(declared: Element | Law, ranges: Ranges) -> None:
     known = list(dict.fromkeys([*(p.name for p in declared.parameters), *(s.name for s in symbols)]))
     for name, limits in ranges.items():
         if name not in known:
-            raise ValueError(f"'{declared.name}': a range of '{name}'; there are {', '.join(known)}")
+            raise ValueError(f"'{declared.name}': a range of unknown '{name}'; there are {', '.join(known)}")
         try:
             low, high = (float(limit) for limit in limits)
         except (TypeError, ValueError):

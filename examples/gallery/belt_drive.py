@@ -2,8 +2,8 @@ r"""
 Belt drive
 ==========
 
-Two pulleys and the two straight parts of an elastic belt. They turn together in the ratio of their radii, and against
-each other with the frequency :math:`\omega^2 = 2 k (r_1^2/J_1 + r_2^2/J_2)`.
+Two pulleys and the two straight parts of an elastic belt. They turn together in the ratio of their radii, and
+against each other at the frequency :math:`\omega^2 = 2 k (r_1^2/J_1 + r_2^2/J_2)`.
 """
 
 import matplotlib.pyplot as plt

@@ -2,7 +2,7 @@
 Shimmy of a caster
 ==================
 
-A caster is towed on a sideways springy pivot. Its wheel does not slip sideways, and yet the trailing wheel wobbles
+A caster is towed by a pivot on a sideways spring. Its wheel does not slip sideways, and yet the trailing wheel wobbles
 more and more: for the mass in the pivot the characteristic polynomial
 :math:`(J + m a^2) s^3 + m a v s^2 + k a^2 s + k a v` always has growing roots.
 """

@@ -2,9 +2,9 @@ r"""
 Crane with a swinging load
 ==========================
 
-The trolley of a crane moves by 5 m. After most moves the load swings. With the smooth course of `fx.Ramp` it hangs
-still if the move takes 1.8346 periods: then :math:`\omega T/2 = 5.7635`, the first zero of the spherical Bessel
-function :math:`j_2`.
+The trolley of a crane moves by 5 m. After most moves the load swings. With the smooth profile of `fx.Ramp` it
+hangs still if the move takes 1.8346 periods: then :math:`\omega T/2 = 5.7635`, the first zero of the
+spherical Bessel function :math:`j_2`.
 """
 
 import matplotlib.pyplot as plt

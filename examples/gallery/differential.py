@@ -2,8 +2,8 @@
 Differential
 ============
 
-The cage of a differential turns with the mean of its two wheels, and gives both the same torque. On one relation the
-wheel with the small inertia, as on ice, gets away.
+The cage of a differential turns at the mean speed of its two wheels, and gives both the same torque. In this model,
+which is a single relation, the wheel with the small inertia, as on ice, runs away.
 """
 
 import matplotlib.pyplot as plt

@@ -3,8 +3,8 @@ Weave, wobble and capsize of a motorcycle
 =========================================
 
 The rider is one body with the frame; the steered front has a damper, and the tyres have side slip, camber and
-relaxation. Without control the machine falls slowly (capsize) and snakes with 2 to 3 Hz (weave); above 38 m/s its
-steering shakes with 7 Hz (wobble). The tyre loads come from the static equilibrium.
+relaxation. Without control the machine falls slowly (capsize) and snakes at 2 to 3 Hz (weave); above 38 m/s its
+steering shakes at 7 Hz (wobble). The tyre loads come from the static equilibrium.
 """
 
 from typing import Any

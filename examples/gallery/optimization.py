@@ -2,7 +2,7 @@
 Optimization with SciPy
 =======================
 
-A spring is to carry an arm in every position. SciPy's least squares varies its stiffness and its
+A spring is to balance an arm in every position. SciPy's least squares varies its stiffness and its
 tension, and finds the spring of balanced lamps: :math:`k = m g l/(a b)`, and a free length of zero.
 """
 

@@ -80,7 +80,7 @@ def _grid(times: Sequence[float] | Array | None, period: float | None) -> Array:
         raise ModelError("along: give a motion, a state, or the times of the nominal motion")
     grid = array(times, "along", "times")
     if grid.ndim != 1 or grid.size < 2 or np.any(np.diff(grid) <= 0):
-        raise ModelError("along: times must be a list of at least two that increases; sort them")
+        raise ModelError("along: times must be an increasing list of at least two; sort them")
     if period is None:
         return grid
     return np.asarray(grid[grid < grid[0] + period * (1 - course.OUTSIDE)])

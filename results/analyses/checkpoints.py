@@ -94,8 +94,8 @@ class Checkpoint:
         differing = [part for part in PARTS if marks.get(part) != self._marks[part]]
         if differing:
             raise ModelError(
-                f"simulate: the checkpoint '{self.path}' is of another simulation ({', '.join(differing)} differ); "
-                "delete it, or give another path"
+                f"simulate: the checkpoint '{self.path}' belongs to another simulation ({', '.join(differing)} "
+                "differ); delete it, or give another path"
             )
         self._before = _attached(self._system, record)
         return EarlierRun(self._before, marks["step"], marks["complete"])

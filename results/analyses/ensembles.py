@@ -32,13 +32,13 @@ OPTIONS = (
 def with_parameters(system: C, values: Mapping[str, Any]) -> C:
     """Copy the system with other values of some parameters.
 
-    Where the geometry changes with a number of a part, the model is built anew.
+    If a parameter of a part changes the geometry, the model is rebuilt with it.
 
     Raises
     ------
     ModelError
-        An unknown name, with the nearest ones; a number of an element on which positions depend; a number of a part
-        that changes which nodes, elements or laws there are.
+        An unknown name, with the nearest ones; a parameter of an element on which positions depend; a
+        parameter of a part that changes which nodes, elements or laws there are.
 
     Examples
     --------
@@ -80,11 +80,11 @@ def simulate_many(
         Initial values of degrees of freedom and internal states; with a prime (``"lean.angle'"``) rates of any
         quantities.
     start : State, optional
-        Gives what is not named; the initial state by default.
+        Provides all that is not named; the initial state by default.
     outputs : sequence of str, optional
-        What is kept, by the names of `Motion.series`; the degrees of freedom by default.
+        Quantities to keep, named as in `Motion.series`; the degrees of freedom by default.
     times, samples
-        When it is kept, as in `simulate`.
+        Times at which they are kept, as in `simulate`.
     threads : int, optional
         All processors by default.
     progress : bool, optional
@@ -100,8 +100,7 @@ def simulate_many(
     Raises
     ------
     ModelError
-        An unknown name, with the nearest ones; numbers of values that differ; a parameter on which positions
-        depend.
+        An unknown name, with the nearest ones; different numbers of values; a parameter on which positions depend.
     FlexelError
         If all variants fail: the error of the first.
 

@@ -55,8 +55,8 @@ def equilibrium(
     follow its slip since the start, in one step.
 
     Newton's method on the analytic tangent; if it fails, the residual forces at the start are removed
-    incrementally, past limit points if necessary; if nothing resists a motion at the start, as of a pendulum drawn
-    horizontal, it descends in potential energy.
+    incrementally, past limit points if necessary; if nothing resists a motion at the start, as for a pendulum
+    drawn horizontally, it descends in potential energy.
 
     Parameters
     ----------
@@ -86,7 +86,7 @@ def equilibrium(
         If the equilibrium is unstable: by its stiffness, or, where forces have no potential or wheels roll, by the
         eigenvalues of its linearization, if every degree of freedom has inertia and nothing is held.
     RangeWarning
-        If a beam is bent or twisted by more than 15° within one element; so in every analysis.
+        If a beam is bent or twisted by more than 15° within one element; this applies to every analysis.
     """
     wanted = flag(stable, "equilibrium", "stable")
     found = load_path.equilibrium(system, t, _at(system, start, "equilibrium"), hold, stable=wanted)
@@ -110,7 +110,7 @@ def static_path(system: CoreSystem, start: State | None = None, *, t_end: float)
     start : State, optional
         A state of equilibrium (see `equilibrium`); the initial configuration by default.
     t_end : float
-        Time [s] at the end of the path, other than the start's.
+        Time [s] at the end of the path, different from that of the start.
 
     Raises
     ------
@@ -138,7 +138,7 @@ def static_path(system: CoreSystem, start: State | None = None, *, t_end: float)
 def buckling(
     system: CoreSystem, state: State | None = None, *, increment: Mapping[str, float], count: int = 5
 ) -> Listing[stability.BucklingMode]:
-    """Load multipliers at which equilibrium bifurcates, with their shapes, nearest first.
+    """Compute load multipliers at which equilibrium bifurcates, with their shapes, nearest first.
 
     Parameters
     ----------
@@ -182,8 +182,8 @@ def vibrations(
     Raises
     ------
     DynamicsError
-        If the state flutters under forces that have no potential, and grows by more than 0.1 % of critical damping
-        would take; if a motion has neither mass nor stiffness.
+        If the state flutters under forces that have no potential, and grows faster than 0.1 % of critical
+        damping would suppress; if a motion has neither mass nor stiffness.
 
     Warns
     -----
@@ -218,7 +218,7 @@ def compliance(
     offset : sequence of float (3,) or (2,), optional
         From the point to where forces act and displacements are taken, in the frame's axes [m].
     hold : sequence of str
-        Coordinates or deformations held in addition to the prescribed ones, such as a drive's.
+        Coordinates or deformations held in addition to the prescribed ones, such as those of a drive.
 
     Raises
     ------
@@ -260,9 +260,9 @@ def steady(
 
     Notes
     -----
-    The rates of the degrees of freedom are held.  For a rotating structure name deformations as
-    degrees of freedom (`Model.independent`) and prescribe the rotation: with global coordinates the search would
-    be for a motion with these at rest.
+    The rates of the degrees of freedom are held.  For a rotating structure name deformations as degrees of
+    freedom (`Model.independent`) and prescribe the rotation: with global coordinates the search would look for a
+    motion with these at rest.
     """
     refuse_sampled(
         system.structure.controllers, "steady", "simulate it, or take an equilibrium with its outputs held"

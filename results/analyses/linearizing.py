@@ -56,7 +56,7 @@ def linearize_many(
     Parameters
     ----------
     state : State or callable, optional
-        The state about which is linearized, with the accelerations and forces of each variant; the initial one by
+        The state to linearize about, with the accelerations and forces of each variant; the initial one by
         default.  Or a function of the system of a variant that returns it: ``lambda s: s.equilibrium()``.
     parameters : mapping of name to array_like (variants,)
         As in `simulate_many`.
@@ -105,7 +105,7 @@ def root_loci(
     parameters : mapping of name to array_like
         The loci run over the first of them if no rates are given; with rates there are loci for each variant.
     of : sequence of str, optional
-        Dynamic degrees of freedom that are decoupled from the others, of which the loci are wanted; all by default.
+        Dynamic degrees of freedom, decoupled from the others, whose loci are wanted; all by default.
     threads, progress
         As in `simulate_many`.
 
@@ -135,7 +135,7 @@ def root_loci(
     name = next(iter(axis))
     run = axis[name]
     if run.ndim != 1:
-        raise ModelError(f"root_loci: '{name}' has several numbers; let the loci run over '{name}[0]'")
+        raise ModelError(f"root_loci: '{name}' has several components; let the loci run over '{name}[0]'")
     full = f"{name}'" if found.rates else name
     unit = history(system.structure, full).unit if found.rates else values.units[name]
     return RootLoci(full, run, found if of is None else found.reduced(of), unit)
@@ -166,7 +166,7 @@ def _many(
     columns = {name: np.atleast_1d(array(column, owner, f"rate '{name}'")) for name, column in given.items()}
     sizes = {name: column.shape for name, column in columns.items()}
     if any(len(shape) != 1 for shape in sizes.values()) or len(set(sizes.values())) > 1:
-        raise ModelError(f"{owner}: rates have shapes {sizes}; give as many numbers for each")
+        raise ModelError(f"{owner}: rates have shapes {sizes}; give equally many numbers for each")
     if callable(first) and columns:
         raise ModelError(f"{owner}: give rates, or a function for the state, which may set them itself")
     return LinearizedMany(system, first, columns, steady)

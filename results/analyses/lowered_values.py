@@ -1,4 +1,4 @@
-"""From numbers of parts to numbers of elements and laws, for all variants of a system."""
+"""Converts numbers of parts to numbers of elements and laws, for all variants of a system."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from flexel.system import CoreSystem
 
 @dataclass(frozen=True)
 class Rebuilt:
-    """Builds the system of a variant anew, with the degrees of freedom of the first one.
+    """Rebuilds the system of a variant, with the degrees of freedom of the first one.
 
     Attributes
     ----------
@@ -122,8 +122,8 @@ def lowered_values(
         return LoweredValues(found.places + places, found.rows + columns, profiles)
     if direct or _differs(base, system):
         raise ModelError(
-            f"{owner}: '{declared[0][0].name}' changes the geometry, so that the model is built anew, without "
-            f"{'what was changed in' if not direct else ''} single elements and laws; give numbers of parts alone"
+            f"{owner}: '{declared[0][0].name}' changes the geometry, so that the model is rebuilt, without "
+            f"{'the changes to' if not direct else 'values of'} single elements and laws; give values of parts alone"
         )
     anew = Rebuilt(origin, values, tuple(system.dynamic), tuple(system.kinematic), owner, type(system))
     return LoweredValues([], [], anew=anew)

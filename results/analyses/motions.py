@@ -65,26 +65,26 @@ def simulate(
         The initial state by default; without its accelerations if a degree of freedom has no inertia and the
         method is implicit.
     times : array_like, optional
-        Times [s] at which states are stored: these alone, so that the start is one of them where it is wanted.
-        `samples` equidistant ones from the start on by default.
+        Times [s] at which states are stored, and only these: include the start if it is wanted. By default,
+        `samples` equidistant times from the start on.
     samples : int
         Number of stored states.
     method : str
-        In minimal coordinates ("explicit" below): DOP853; Radau, implicit and of order 5 (Radau IIA), for stiff
-        motions that are smooth; RK45, LSODA or BDF of SciPy.  With all coordinates: generalized-alpha; sundials,
-        the backward differentiation formulas of SUNDIALS, for comparison (needs the optional package
-        scikit-sundae).  Or auto: this chooses DOP853, but Radau where both methods, tried for some steps from the
-        start, show that it takes less than half the evaluations (at least 300 radians of the fastest mode, no
+        In minimal coordinates ("explicit" below): DOP853; Radau, implicit and of order 5 (Radau IIA), for
+        stiff motions that are smooth; RK45, LSODA or BDF of SciPy.  With all coordinates: generalized-alpha;
+        sundials, the backward differentiation formulas of SUNDIALS, for comparison (needs the optional
+        package scikit-sundae).  Or auto: DOP853, unless a trial of both over some steps from the start shows
+        that Radau takes less than half the evaluations (at least 300 radians of the fastest mode, no
         contacts).  In stiff motions Radau may ignore degrees of freedom and rates that are smaller than its
-        tolerance times the largest ones, and have ``rtol=1e-6``, unless `rtol` is given; where laws call functions
-        of the user it does both, without trials.  A motion is stiff if the largest eigenvalue of the linearized
-        start times the duration exceeds 3e4 (900 000 divided
-        by the number of degrees of freedom where these are more than 30), and 100 times the radians that any
-        method must follow (those of modes whose amplitude at the start exceeds a twentieth of the motion or that
-        are unstable, of rotations, and knots of tables), and counts as stiff above 300 degrees of freedom, where
-        no eigenvalues are taken.  Generalized-alpha remains for stiff motions with contacts, if a degree of freedom
-        has no inertia, above 1000 degrees of freedom, and above 300 with kinematic coordinates or internal states.
-        ``motion.message`` reports which and why.
+        tolerance times the largest ones, and use ``rtol=1e-6``, unless `rtol` is given; where laws call
+        functions of the user it does both, without trials.  A motion is stiff if the largest eigenvalue of
+        the linearized start times the duration exceeds 3e4 (900 000 divided by the number of degrees of
+        freedom where these are more than 30), and 100 times the radians that any method must follow (those of
+        modes whose amplitude at the start exceeds a twentieth of the motion or that are unstable, of
+        rotations, and knots of tables), and counts as stiff above 300 degrees of freedom, where no
+        eigenvalues are computed.  Generalized-alpha remains for stiff motions with contacts, if a degree of
+        freedom has no inertia, above 1000 degrees of freedom, and above 300 with kinematic coordinates or
+        internal states.  ``motion.message`` reports the choice and the reason.
     rtol : float, optional
         Local error in one step: explicit, relative to each variable (Radau: to its largest value so far; DOP853: of
         a degree of freedom, to the largest range of a coordinate in this motion so far if that is less), 1e-9 by
@@ -92,10 +92,11 @@ def simulate(
         so far, in natural scales and at most 1, and of internal states relative to their ranges, 1e-6; sundials,
         relative to each coordinate and rate, 1e-6.
     atol : float or array_like, optional
-        Absolute local error in natural scales (the size of the model for lengths, one for the rest, the same in a
-        second for rates): explicit, 1e-11 by default (DOP853: less in small motions, down to rounding), or one for
-        each of (q, q_d', z) if these stay the same (rechoose=False); generalized-alpha, allowed of coordinates
-        whatever `rtol`, zero by default; for sundials, the value from `rtol` by default.
+        Absolute local error in natural scales (the size of the model for lengths, one for the rest, the same
+        per second for rates): explicit, 1e-11 by default (DOP853: less in small motions, down to rounding),
+        or one for each of (q, q_d', z) if these stay the same (rechoose=False); generalized-alpha, always
+        allowed for coordinates, whatever `rtol` is, zero by default; for sundials, the value from `rtol` by
+        default.
     step : float, optional
         For generalized-alpha: constant step [s] instead of step control by the tolerances, whatever `samples` and
         `times` are; states between its multiples are found by a shorter step each.  A step is shorter only at the end,
@@ -144,13 +145,14 @@ def simulate(
     StiffWarning
         If an explicit method turns out to need many thousands of steps because the system is stiff.
     DampingWarning
-        If an implicit method has taken out more than 1 % of the energy of the motion: the larger of its kinetic
-        energy and what was dissipated and supplied. ``motion.warnings`` and ``motion.message`` keep it.
+        If an implicit method has removed more than 1 % of the energy of the motion: the larger of its kinetic
+        energy and what was dissipated and supplied. ``motion.warnings`` and ``motion.message`` keep the
+        warning.
     AuditWarning
         If the motion contradicts itself: its energy balance fails by more than its tolerance explains, a contact or
         an event was passed, the rates of a prescribed motion are not the derivatives of its values, the energy
         of a user's law contradicts its stress, a wheel pulls on the road, a rope is at its end, a position is nearly
-        singular. ``motion.verdict`` says what was found, also where that is nothing.
+        singular. ``motion.verdict`` says what was found, even if that is nothing.
     RangeWarning
         If a quantity is outside the data of its law at a stored time, or a beam is bent or twisted by more than
         15° within one element, by name.

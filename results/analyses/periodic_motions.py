@@ -85,9 +85,9 @@ def periodic_branch(
     start : PeriodicSolution, optional
         A solution with this period and as many harmonics to start from; as for `periodic` by default.
     period : float
-        That of prescribed motions and loads [s]; there the branch starts.
+        Period of prescribed motions and loads [s], at which the branch starts.
     end : float
-        Another period [s]: there the system runs period / end times as fast.
+        Another period [s], at which the system runs period / end times as fast.
     harmonics : int
         Number of harmonics of the Fourier series.
     step : float

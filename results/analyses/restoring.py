@@ -102,8 +102,8 @@ def _check_names(own: Structure, other: Structure) -> None:
         )
     if own.names != other.names or tuple(own.internal) != tuple(other.internal):
         raise ModelError(
-            "restore: this model was declared in another order, or has other coordinates, than the saved one; build "
-            "the model that was saved"
+            "restore: this model was declared in a different order from the saved one, or has different "
+            "coordinates; build the model that was saved"
         )
 
 

@@ -41,10 +41,10 @@ class Saved:
 
 
 class Stepper:
-    """A system in steps of constant length, with inputs that are held within each; made by `System.stepper`.
+    """A system advanced in constant steps, with inputs held within each step; made by `System.stepper`.
 
-    ``stepper[name] = value`` sets an input, and ``stepper[name]`` reads any value or rate; `step` takes and gives all
-    inputs and outputs at once.
+    ``stepper[name] = value`` sets an input, and ``stepper[name]`` reads any value or rate; `step` takes all
+    inputs and returns all outputs at once.
 
     Attributes
     ----------
@@ -272,8 +272,8 @@ def stepper(
     dt : float
         Length of a step [s]; the integrator divides it as its tolerances require.
     inputs : sequence of str
-        Coordinates, deformations or slips on which forces act that are set from outside and held within each step,
-        in addition to the loads of the model.
+        Coordinates, deformations or slips on which external forces act, held within each step, in addition to
+        the loads of the model.
     outputs : sequence of str
         Coordinates, deformations, internal states, and rates (``"lean.angle'"``).
     start : State, optional

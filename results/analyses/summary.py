@@ -30,7 +30,7 @@ class Summary:
     Attributes
     ----------
     lines : tuple of (str, str)
-        What, and how many or which.
+        Name and value of each line.
     """
 
     lines: tuple[tuple[str, str], ...]

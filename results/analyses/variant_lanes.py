@@ -27,7 +27,7 @@ class MotionRunner(Runner[T]):
     begin : callable
         Begins the motion of a system that is variant number i, after another motion of the same system.
     end : callable
-        What is kept of the motion of a system, which it continues to its end.
+        Continues the motion of a system to its end, and returns what is kept of it.
     """
 
     def __init__(

@@ -62,7 +62,7 @@ class Values:
         The same by the full names of the numbers of parts.
     units : dict of str to str
     anew : Rebuilt or None
-        Where the geometry changes: builds the system of a variant anew.
+        Rebuilds the system of a variant, where the geometry changes.
     """
 
     def __init__(

@@ -1,8 +1,8 @@
 """Converts motions to records and back: the data of a mechanism needed to read, draw and continue its motion.
 
 A record holds every quantity with its rate, acceleration and force, the choices of degrees of freedom, and a
-description of nodes, elements and laws; a motion restored from it has the same names and looks the same when drawn.
-one.
+description of nodes, elements and laws; a motion restored from it has the same names and looks the same when
+drawn.
 """
 
 from __future__ import annotations

@@ -33,7 +33,7 @@ def load_result(path: str | Path) -> Motion | Linearization | PeriodicSolution |
             raise
         raise ModelError(
             f"load '{path}': a part of a {record.kind} is missing or malformed ({error!r:.100}); the file "
-            "is damaged: take a copy of it, or compute it again"
+            "is damaged: use a backup of it, or compute it again"
         ) from error
 
 

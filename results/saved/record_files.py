@@ -104,7 +104,7 @@ def _assembled(path: Path, header: Mapping[str, Any], arrays: Mapping[str, Array
         header, [variable.values for variable in variables.values()]
     ):
         raise ModelError(
-            f"{owner}: its numbers or names are not those that were saved; the file is damaged: take a copy of it, or "
+            f"{owner}: its numbers or names are not those that were saved; the file is damaged: use a backup of it, or "
             "compute it again"
         )
     labels, units = (
@@ -133,7 +133,7 @@ def _read_npz(path: Path) -> tuple[dict[str, Any], dict[str, Array]]:
             refuse_table(path, file.files)
         sizes = {info.filename.removesuffix(".npy"): info.file_size for info in file.zip.infolist()}
         if sizes[HEADER] > MAX_HEADER_BYTES:
-            raise ValueError(f"its description of {sizes[HEADER]} bytes is none of a result")
+            raise ValueError(f"its description of {sizes[HEADER]} bytes is not that of a result")
         header = parsed(str(file[HEADER]))
         for name in header["variables"]:
             stated = MOST_BYTES * int(np.prod(header["variables"][name]["shape"], dtype=float)) + ARRAY_HEADER

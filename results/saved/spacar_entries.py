@@ -100,7 +100,7 @@ class _EntryReader:
         size, left = sum(header.size for header in headers), len(self.data) - self.at
         whole = left // size if size else 0
         if not whole or left > announced * size:
-            raise self.error(f"{announced} records of {size} bytes are declared, and {left} bytes follow")
+            raise self.error(f"{announced} records of {size} bytes are declared, but {left} bytes follow")
         if whole < announced:  # SPACAR was interrupted
             warnings.warn(
                 f"load '{self.path}': it ends after {whole} of the {announced} records that it declares; "

@@ -67,7 +67,7 @@ def motion_of_sbd(entries: TaggedEntries, path: Path) -> Motion:
     ]
     if missing:
         raise ModelError(
-            f"load '{path}': the entries {', '.join(missing)} are missing; it is not a whole .sbd file"
+            f"load '{path}': the entries {', '.join(missing)} are missing; it is not a complete .sbd file"
         )
     layout = _layout(entries, path)
     records = {tag: record[:, :, 0] for tag, record in entries.records.items() if record.shape[2] == 1}

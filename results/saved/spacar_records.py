@@ -106,6 +106,6 @@ def records_of(entries: TaggedEntries, path: Path) -> SpacarRecords:
         A damaged file, or one without times.
     """
     if "T" not in entries.records:
-        raise ModelError(f"load '{path}': the entry T is missing; it is not a whole {path.suffix} file")
+        raise ModelError(f"load '{path}': the entry T is missing; it is not a complete {path.suffix} file")
     matrices = {tag: matrix for tag, matrix in entries.records.items() if tag != "T"}
     return SpacarRecords(path, entries.records["T"][:, 0, 0], matrices, entries.constant)

@@ -1,4 +1,4 @@
-"""Orientations of which one Euler parameter is a degree of freedom, in a step of Radau IIA; see angles.h."""
+"""Orientations with one Euler parameter as a degree of freedom, in a step of Radau IIA; see angles.h."""
 
 from __future__ import annotations
 

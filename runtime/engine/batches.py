@@ -93,7 +93,7 @@ def kernel_struct(spec: ElementSpec | LawSpec, address: object) -> Any:
         struct = ffi.cast("flexel_law *" if law else "flexel_element *", address)[0]
     if ffi.string(struct.digest).decode() != spec.digest:
         raise FlexelError(
-            f"the compiled kernels of '{spec.name}' belong to another derivation than generated/table.py; compile them "
+            f"the compiled kernels of '{spec.name}' do not match generated/table.py; compile them "
             "again: pip install -e . (or make test)"
         )
     return struct

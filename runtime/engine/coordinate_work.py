@@ -153,7 +153,7 @@ class CoordinateWork(Struct):
         Parameters
         ----------
         noise : float
-            Relative error that rounding may cause in what follows: pivots that enlarge it beyond are sought anew.
+            Relative error that rounding may cause in what follows: pivots that enlarge it further are sought again.
         """
         self.struct.P.noise = self.struct.A.noise = noise
         lib.flexel_reset(*self._pair)
@@ -234,7 +234,7 @@ class CoordinateWork(Struct):
 
     @property
     def last(self) -> Snapshot | None:
-        """Where the next right-hand side starts to look for its position; None before the first."""
+        """Where the next right-hand side starts the search for its position; None before the first."""
         if not self.is_warm:
             return None
         c = self.struct

@@ -1,4 +1,4 @@
-"""What a motion has covered so far, the scale of its tolerances; see covered.h."""
+"""The ranges that a motion has covered so far, the scale of its tolerances; see covered.h."""
 
 from __future__ import annotations
 

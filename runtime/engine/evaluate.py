@@ -27,7 +27,7 @@ LARGE = 400  # coordinates above which matrices are returned as sparse ones
 
 
 class Evaluation:
-    """The compiled kernels of a structure; each thread has a workspace of its own.
+    """The compiled kernels of a structure; each thread has its own workspace.
 
     Attributes
     ----------

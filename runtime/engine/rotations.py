@@ -20,7 +20,7 @@ Indices = list[int]
 def frames_with(
     structure: Structure, roles: Roles, parameters: int
 ) -> Iterator[tuple[Indices, Indices, Indices]]:
-    """Find the frames of which so many Euler parameters are dynamic degrees of freedom.
+    """Find the frames that have so many Euler parameters as dynamic degrees of freedom.
 
     Yields
     ------
@@ -41,13 +41,13 @@ def frames_with(
 
 
 def numbers_of(at: NDArray[np.int32]) -> dict[int, int]:
-    """Number of each frame by the coordinate of its first Euler parameter, from the coordinates (count, 4) of all."""
+    """Return the number of each frame by the coordinate of its first Euler parameter, from all (count, 4)."""
     return {int(first): i for i, first in enumerate(at[:, 0])}
 
 
 @dataclass(frozen=True, eq=False)
 class Rotations:
-    """The frames of which three Euler parameters are dynamic degrees of freedom.
+    """The frames with three Euler parameters as dynamic degrees of freedom.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""One built-in law on its own, without a model."""
+"""A single built-in law, without a model."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """Factorizations for one-off solutions: LAPACK for dense matrices, SuperLU for sparse ones.
 
-Matrices that are factorized again and again have a class of their own, `flexel.engine.elimination`.
+Matrices that are factorized again and again have a separate class, in `flexel.engine.elimination`.
 """
 
 from __future__ import annotations
@@ -114,7 +114,7 @@ class Factorization:
         return self._info == 0
 
     def solve(self, b: Array, transposed: bool = False) -> Array:
-        """Solution of A x = b, or of A' x = b."""
+        """Solve A x = b, or A' x = b."""
         if not self._lu.size or not b.size:
             return np.zeros(b.shape)
         x: Array = _getrs(self._lu, self._pivots, b, trans=1 if transposed else 0)[0]
@@ -138,7 +138,7 @@ class SparseFactors:
         return self._lu is not None
 
     def solve(self, b: Array, transposed: bool = False) -> Array:
-        """Solution of A x = b, or of A' x = b."""
+        """Solve A x = b, or A' x = b."""
         x: Array = self._lu.solve(b, trans="T" if transposed else "N")
         return x
 

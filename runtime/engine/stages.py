@@ -71,7 +71,7 @@ class Stage:
         self.width = place
 
     def nblocks(self, i: int) -> int:
-        """Number of blocks of a batch."""
+        """Return the number of blocks of a batch."""
         return -(-self.size[i] // LANES)
 
     @property

@@ -18,7 +18,7 @@ from flexel.model.structure import Structure
 
 
 class Variant:
-    """An evaluation with parameters of its own, for one thread.
+    """An evaluation with separate parameters, for one thread.
 
     Attributes
     ----------
@@ -118,7 +118,7 @@ def check_variable(
             and has_inertia(own, structure)[row]
         ):
             raise ModelError(
-                f"{owner}: '{place.name}': the element has no mass in the system as built; give it any mass in the "
+                f"{owner}: '{place.name}': the element has no mass in the system as built; give it some mass in the "
                 "model"
             )
 

@@ -122,11 +122,11 @@ class Account(Struct):
     # -- for methods whose stages are not in C, each of which evaluates the rates once ------------------
 
     def begin(self) -> None:
-        """The next evaluation is at the start of a step, and the first of a new sequence."""
+        """Expect the next evaluation at the start of a step, as the first of a new sequence."""
         self._next = 0
 
     def first_trial(self) -> None:
-        """The next evaluation is that of the first stage after the start."""
+        """Expect the next evaluation at the first stage after the start."""
         self._next = 1
 
     def evaluated(self, choice: CoordinateWork) -> None:
@@ -150,7 +150,7 @@ class Account(Struct):
 
 
 def powers(choice: CoordinateWork) -> tuple[float, float]:
-    """Powers [W] at the evaluation that was made: what is taken out, and what is supplied."""
+    """Return the powers [W] taken out and supplied at the evaluation that was made."""
     found = ffi.new("flexel_account *")
     lib.flexel_account_stage(found, choice.work.struct, choice.struct, 0)
     return float(found.lost[0]), float(found.work[0])

@@ -1,9 +1,10 @@
 """Carry a motion in minimal coordinates across a flat position, where its steps become too short.
 
-There the constraints leave the motion a choice of branches.  The one on which all coordinates are smooth is taken: a
-polynomial of high degree through both sides, see sweeps.py.  It begins before the flat position, in the part of the
-motion that is known, and ends as far behind it, so that the flat position is in the middle, where no point is.  What is
-not smooth, or leaves the constraints, has no such polynomial and is not carried.
+There the constraints leave the motion a choice of branches.  The one on which all coordinates are smooth is
+taken: a polynomial of high degree through both sides, see collocation.py.  It begins before the flat
+position, in the known part of the motion, and ends equally far beyond it, so that the flat position is in the
+middle, between the points.  A motion that is not smooth, or leaves the constraints, has no such polynomial
+and is not carried.
 """
 
 from __future__ import annotations
@@ -41,7 +42,7 @@ PIECES = 7  # steps into which the rest of the path is divided, for events
 
 @dataclass
 class Crossing:
-    """What is known of a motion before a flat position.
+    """The known part of a motion before a flat position.
 
     Attributes
     ----------

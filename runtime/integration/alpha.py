@@ -31,7 +31,7 @@ LOOSE = 1e-4  # local error beyond which the forces are weighted less, down to a
 
 
 class AlphaStepper(Saddle):
-    """Single steps of the generalized-alpha method, in a workspace of their own that holds the last trial point.
+    """Single steps of the generalized-alpha method, in a separate workspace that holds the last trial point.
 
     Attributes
     ----------

@@ -1,4 +1,4 @@
-"""Audits a motion that has ended: what its method and dense output know against it gives warnings and a verdict."""
+"""Audits a motion that has ended: evidence against it from its method and dense output gives warnings and a verdict."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""States between the ends of constant steps of the generalized-alpha method, each by a shorter step of its own."""
+"""States between the ends of constant steps of the generalized-alpha method, each by a separate, shorter step."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from flexel.model.state import State
 
 
 class Between:
-    """Computes states within steps of a motion, which goes on as if they were not asked for.
+    """Computes states within steps of a motion, which continues as if they had not been requested.
 
     Parameters
     ----------

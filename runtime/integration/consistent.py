@@ -1,4 +1,4 @@
-"""Whether the rates of a prescribed motion that the user gives are those of its values."""
+"""Checks whether the rates that the user gives for a prescribed motion match its values."""
 
 from __future__ import annotations
 

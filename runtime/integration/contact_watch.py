@@ -12,7 +12,7 @@ from flexel.engine.workspace import Workspace
 class ContactWatch:
     """Finds contacts that may have closed and opened again within a step.
 
-    The gap to a convex body is a convex function of time, but for the accelerations: its second derivative is at
+    The gap to a convex body is a convex function of time, except for the accelerations: its second derivative is at
     least -c, where c is the size of the part due to accelerations, taken at the beginning of the step.  Such a gap is
     at least as large as both tangents at the ends, steepened by c h/2.  Where these meet below zero, the contact may
     have been stepped over.  The contacts of ropes are left out: their neighbours hold them.

@@ -35,11 +35,11 @@ A, B, C = tableau.A[:12, :12], tableau.B, tableau.C[:12]
 class Interpolant(Portable):
     """Interpolation in a step of DOP853; where it does not satisfy the equations, steps from its start.
 
-    The step control does not see the error of an interpolation: it may be thirty times the error at the end, and more
-    in steps that stability limits, or with vibrations that a jump of forces has excited.  It is found from the defect,
-    y' less the rates that belong to y.  Where it is large, the rates at Lobatto's nodes are integrated, which has order
-    8 (a step of a Picard iteration); where that does not satisfy the equations either, the step is repeated up to the
-    time asked for.
+    The step control does not see the error of an interpolation: it may be thirty times the error at the end,
+    and more in steps that stability limits, or with vibrations that a jump of forces has excited.  It is
+    found from the defect, y' less the rates that belong to y.  Where it is large, the rates at Lobatto's
+    nodes are integrated, which has order 8 (a step of a Picard iteration); where that does not satisfy the
+    equations either, the step is repeated up to the requested time.
 
     Attributes
     ----------

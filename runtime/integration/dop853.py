@@ -85,12 +85,12 @@ class Dop853(MinimalRun):
         return self.steps.choice
 
     def restart_with(self, h: float) -> None:
-        """The same, with a step [s] to try first."""
+        """Restart with a step [s] to try first."""
         self._h, self._flat = h, -np.inf
         self.restart()
 
     def renew(self) -> None:
-        """Rates with the loads that have changed."""
+        """Compute the rates with the changed loads."""
         self.steps.begin(self.t)
         self.counts["evaluations"] += 1
 
@@ -124,7 +124,7 @@ class Dop853(MinimalRun):
         return choice.dy.copy()
 
     def advance(self) -> str | None:
-        """One accepted step."""
+        """Take one accepted step."""
         end, rejected, careful, defect = self.stop, False, False, np.inf
         first_order, trials = self.steps.first_order, TRIALS
         wished = self._h

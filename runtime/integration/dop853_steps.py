@@ -91,7 +91,7 @@ class Steps(Struct):
         return array
 
     def start(self, now: Snapshot, y: Array, knots: Knots, covered: Covered) -> None:
-        """Begin at an instant; what follows depends on nothing computed before, but for what the motion has covered."""
+        """Begin at an instant; later results depend on nothing computed before, except what the motion has covered."""
         self._knots, self.covered, self.struct.covered = knots, covered, covered.struct
         self.choice.reset(self.struct.rtol)
         self.choice.struct.accept = 0.0
@@ -109,12 +109,12 @@ class Steps(Struct):
         lib.flexel_matrix_reset(self.choice.P)
 
     def begin(self, t: float) -> None:
-        """Rates at the start."""
+        """Compute the rates at the start."""
         give(self.kinematics, self._knots, self._given[:1], [t])
         self.kinematics.check(lib.flexel_dop853_begin(*self._structs, t), t, self.choice)
 
     def step(self, t: float, h: float, careful: bool) -> int:
-        """One step; the code of what failed, or zero.
+        """Take one step; return the code of what failed, or zero.
 
         A careful step finds positions to rounding, and keeps the sizes of the determinants.
         """
@@ -133,7 +133,7 @@ class Steps(Struct):
         return self.choice.work.struct, self.choice.struct, self.struct
 
     def end(self, t: float) -> Snapshot:
-        """Position and rates at the end of the last step."""
+        """Return position and rates at the end of the last step."""
         work = self.choice.work
         work.rates()
         return Snapshot(t, self.x_new.copy(), work.v.copy(), work.e.copy(), work.w[: work.e.size].copy())

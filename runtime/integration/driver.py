@@ -203,7 +203,7 @@ class Run(ABC):
         return replace(self.result, message=message, statistics=self.statistics)
 
     def warn(self, text: str, category: type[Warning] = DampingWarning) -> None:
-        """Record what is known against the motion, and issue it once as a Python warning; see `Motion.warnings`."""
+        """Record evidence against the motion, and issue it once as a Python warning; see `Motion.warnings`."""
         self.result.warn(text, category)
 
     def imbalance(self) -> Imbalance | None:
@@ -215,7 +215,7 @@ class Run(ABC):
         return (
             f"the energy balance of {self.method} fails by {balance.missing:.2g} J of {balance.moved:.3g} J, most at "
             f"t = {balance.when:.6g} s, {balance.missing / balance.allowed:.2g} times what its tolerance explains; "
-            "give a smaller rtol and atol, or a max_step, and look at what acts there"
+            "give a smaller rtol and atol, or a max_step, and check what acts there"
         )
 
     def contradictions(self) -> list[EventSample]:
@@ -231,7 +231,7 @@ class Run(ABC):
         return []
 
     def judge(self) -> str | None:
-        """Return what the method knows against the motion, which has ended; nothing for most methods."""
+        """Return the evidence of the method against the motion, which has ended; none for most methods."""
         return None
 
     @property

@@ -35,8 +35,8 @@ class EventSample:
 
     def __str__(self) -> str:
         return (
-            f"event '{self.event}' has passed unseen: its function is {self.value:.3g} at t = {self.t:.6g} s and of "
-            "the other sign around it; give a function that changes gradually, such as a distance, or a max_step "
+            f"event '{self.event}' was missed: its function is {self.value:.3g} at t = {self.t:.6g} s and has "
+            "the opposite sign around it; give a function that changes gradually, such as a distance, or a max_step "
             "shorter than the passage"
         )
 

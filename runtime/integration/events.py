@@ -35,11 +35,11 @@ class Event(Constant):
     -----
     A motion that starts at an event, for example from its state, does not trigger it again immediately.
 
-    The function is looked at inside each step too.  Two crossings in one step are found if the function is
-    continuous and its size has a single minimum between them and the samples around them, at quarters of the step and
-    near its ends.  A function that only touches zero does not cross it.  A function that jumps, such as one that is 1
-    within a gate and -1 elsewhere, may be passed unseen: give a distance that changes its sign, or a `max_step` shorter
-    than the passage.
+    The function is evaluated inside each step too.  Two crossings in one step are found if the function is
+    continuous and its size has a single minimum between them and the samples around them, at quarters of the
+    step and near its ends.  A function that only touches zero does not cross it.  A function that jumps, such
+    as one that is 1 within a gate and -1 elsewhere, may be missed: give a distance that changes sign, or a
+    `max_step` shorter than the passage.
     """
 
     name: str
@@ -86,7 +86,7 @@ def value(event: Event, state: State) -> float:
         with WITHIN:
             found = event.function(state)
     except RecursionError as error:
-        raise ModelError(f"{owner}: its function calls itself without end; correct it") from error
+        raise ModelError(f"{owner}: its function calls itself endlessly; correct it") from error
     return number(found, owner, "value")
 
 

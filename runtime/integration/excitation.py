@@ -1,4 +1,4 @@
-"""How far a motion turns in what it excites: any integrator must follow that; what rests may be stepped over.
+"""How far a motion turns in the modes it excites: any integrator must follow these; resting modes may be stepped over.
 
 A system is stiff for a motion if its fastest eigenvalues belong to modes that the motion does not excite.
 """

@@ -246,7 +246,7 @@ class Scipy(MinimalRun):
             f"check what drives {self.kinematics.names(roles.prescribed)}, " if roles.prescribed.size else ""
         )
         raise PositionError(
-            f"position at t = {last.t:g} s cannot be reached: '{name}' is not where its rate leads to; the position "
+            f"position at t = {last.t:g} s cannot be reached: '{name}' is not where its rate leads; the position "
             f"may be singular there, or a deformation jumps; {driven}choose other degrees of freedom, or DOP853"
         )
 

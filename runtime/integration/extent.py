@@ -1,4 +1,4 @@
-"""How far a motion may go, estimated before it begins: the scale of its tolerances until it has a range of its own."""
+"""How far a motion may go, estimated before it begins: the scale of its tolerances until it has a range itself."""
 
 from __future__ import annotations
 

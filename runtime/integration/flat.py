@@ -24,7 +24,7 @@ WIDEST = int(np.argmax(HALVES))
 
 
 def flat_position(logarithm: Array, times: Array = TIMES) -> float | None:
-    """The time at which the determinant is zero, relative to the step; None if it is not near the step.
+    """Find the time at which the determinant is zero, relative to the step; None if it is not near the step.
 
     The determinant is c |t - t*|^N exp(b t): each loop that is flat contributes one to N.  This is fitted by least
     squares for a number of times t*, without the stage closest to it, which may be lost to rounding.
@@ -52,7 +52,7 @@ def flat_position(logarithm: Array, times: Array = TIMES) -> float | None:
 
 
 def crossing_step(left: float, h: float) -> float:
-    """The longest step up to h that keeps its stages far from a flat position.
+    """Find the longest step up to h that keeps its stages far from a flat position.
 
     Parameters
     ----------

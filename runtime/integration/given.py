@@ -1,4 +1,4 @@
-"""Checks that the user's functions of time still return the values from when a motion was computed.
+"""Checks that the user's functions of time still return the values that they had when a motion was computed.
 
 States between the stored ones are computed on request, with the loads and prescribed motions of that moment.
 """

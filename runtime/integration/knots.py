@@ -27,7 +27,7 @@ class LawKnots:
     Attributes
     ----------
     times : ndarray
-        [s], rising.
+        [s], increasing.
     """
 
     times: Array
@@ -103,7 +103,7 @@ class Knots:
             if _jumps(left[0], right[0]):
                 raise DynamicsError(
                     f"'{name}' is prescribed to jump from {left[0]:.6g} to {right[0]:.6g} at t = {t:.9g} s, which "
-                    "takes an infinite force; let it move within a finite time, for example by fx.Ramp"
+                    "requires an infinite force; let it move within a finite time, for example by fx.Ramp"
                 )
         loads = [(f.rates(before)[0], f.rates(after)[0]) for f in self._loads]
         self._least = after

@@ -1,4 +1,4 @@
-"""Laws of the user whose energy is not that of their stress: they give back energy that they do not count as stored."""
+"""Laws of the user whose energy does not match their stress: they give back energy that they do not count as stored."""
 
 from __future__ import annotations
 
@@ -53,8 +53,8 @@ def wrong_energies(system: CoreSystem, moments: Sequence[tuple[Snapshot, Array]]
                 found.setdefault(
                     law.name,
                     f"the energy of law '{law.name}' on '{law.deformations[0]}' is not that of its stress: of "
-                    f"{size[k]:.3g} W at t = {at.t:.6g} s, {power:.3g} W are stored but not counted, so that "
-                    "motion.energy is wrong by them; correct the energy of the law",
+                    f"{size[k]:.3g} W at t = {at.t:.6g} s, {power:.3g} W are stored but not counted, so "
+                    "motion.energy is wrong by that much; correct the energy of the law",
                 )
     return list(found.values())
 

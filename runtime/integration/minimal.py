@@ -218,7 +218,7 @@ class MinimalRun(DenseRun):
             f"motion beyond "
             f"t = {self.t:g} s (the coordinates change {self.amplification:.2g} times as much as they do, "
             f"{self.choices.best:.2g} "
-            "with the best choice): one of them has reached its extreme; leave rechoose=False out, or name others with "
+            "with the best choice): one of them has reached its extreme; omit rechoose=False, or name others with "
             "system.use_coordinates"
         )
 
@@ -364,8 +364,8 @@ class MinimalRun(DenseRun):
         t, worst = max(self.dips.close, key=lambda pair: pair[1])
         return [
             f"the position is nearly singular at t = {t:.6g} s: coordinates change {worst:.1g} times as much as what "
-            "holds them, so that forces lose digits, and the branch of the motion may depend on rounding: give the "
-            "parts that line up there dimensions with which they do so exactly, or clearly not, or end it before"
+            "holds them, so that forces lose digits, and the branch of the motion may depend on rounding: change "
+            "dimensions so that the parts that line up there do so exactly, or clearly not, or end the motion earlier"
         ]
 
     @property

@@ -211,9 +211,9 @@ class Integration:
     energy_terms : dict of str to list of float, optional
         Terms of the energy balance of an implicit integration, at the stored times.
     warnings : list of str
-        What its method and the audit know against the motion; each was issued as a Python warning.
+        Evidence of its method and the audit against the motion; each was issued as a Python warning.
     verdict : str
-        What the audit has found, in one line; empty for what was not audited.
+        Result of the audit in one line; empty if there was none.
     """
 
     states: States
@@ -246,7 +246,7 @@ class Integration:
         )
 
     def warn(self, text: str, category: type[Warning], owner: str = "simulate: ") -> None:
-        """Record what is known against the motion, and issue it once as a Python warning, after the owner's name."""
+        """Record evidence against the motion, and issue it once as a Python warning, after the owner's name."""
         if text not in self.warnings:
             self.warnings.append(text)
             warnings.warn(owner + text, category, stacklevel=outside())

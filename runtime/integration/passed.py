@@ -111,7 +111,7 @@ class Passages:
 
 
 def warning(found: list[Passage]) -> str:
-    """What to say about passages, of which there are some."""
+    """Write the warning about passages, of which there is at least one."""
     deepest = max(found, key=lambda z: z.depth)
     others = f", and {len(found) - 1} more" if len(found) > 1 else ""
     return (

@@ -21,7 +21,7 @@ LAST = 2  # terms of a series that show its error
 
 
 class Rates(NamedTuple):
-    """What a path is the integral of, at its points.
+    """The quantities that a path integrates, at its points.
 
     Attributes
     ----------
@@ -30,7 +30,7 @@ class Rates(NamedTuple):
     zd : ndarray (POINTS, nz)
         Rates of internal states.
     powers : ndarray (POINTS, 2)
-        What is taken out, and what is supplied [W].
+        Powers taken out and supplied [W].
     """
 
     a: Array
@@ -49,7 +49,7 @@ class Path(Portable):
     x, v, z : ndarray (terms, nf), (terms, nf), (terms, nz)
         Coefficients of Legendre's polynomials from degree zero on.
     energies : ndarray (terms, 2)
-        The same of what is taken out, and of what is supplied, since the start [J].
+        The same for the energies taken out and supplied since the start [J].
     """
 
     t0: float

@@ -78,7 +78,7 @@ class Radau(MinimalRun):
         return self._steps.choice
 
     def restart_with(self, h: float) -> None:
-        """The same, with a step [s] to try first."""
+        """Restart with a step [s] to try first."""
         self._steps.struct.h = h
         self.restart()
         self._steps.struct.stale = True  # close to a flat position the Jacobian is noise
@@ -89,7 +89,7 @@ class Radau(MinimalRun):
         return self.steps
 
     def advance(self) -> str | None:
-        """One accepted step."""
+        """Take one accepted step."""
         wished = self._steps.struct.h
         while True:
             steps, c = self._steps, self._steps.struct
@@ -160,7 +160,7 @@ class Radau(MinimalRun):
             f"check what drives {self.kinematics.names(roles.prescribed)}, " if roles.prescribed.size else ""
         )
         return PositionError(
-            f"position at t = {c.t + c.h:g} s cannot be reached: '{name}' is not where its rate leads to; the position "
+            f"position at t = {c.t + c.h:g} s cannot be reached: '{name}' is not where its rate leads; the position "
             f"may be singular there, or a deformation jumps; {driven}choose other degrees of freedom, or DOP853"
         )
 

@@ -54,7 +54,7 @@ METHOD = {
 
 
 def estimated(rtol: float) -> float:
-    """The tolerance of the estimates of the local error."""
+    """Return the tolerance of the estimates of the local error."""
     return float(TIGHT * rtol ** (4 / 5))
 
 
@@ -222,7 +222,7 @@ class Collocation(Struct):
         return names
 
     def first_step(self, left: float) -> float:
-        """A first step [s] in which y changes by a hundredth of itself."""
+        """Return a first step [s] in which y changes by a hundredth of itself."""
         size = np.abs(self.y)
         size[self._turning] = 1.0
         scale = self._atol + self._tight * size
@@ -231,7 +231,7 @@ class Collocation(Struct):
         return max(PART * value / rate, LEAST_FIRST * left) if known else FIRST * left
 
     def step(self) -> int:
-        """One step: zero, or a code of radau.h or of an evaluation that failed."""
+        """Take one step; return zero, or a code of radau.h or of an evaluation that failed."""
         while True:
             code = int(lib.flexel_radau_step(*self._structs))
             if code != lib.FLEXEL_RADAU_INPUTS:
@@ -244,7 +244,7 @@ class Collocation(Struct):
         self.J[:] = self.angles.jacobian(self.turns.jacobian(A, self.y, self.f), self.y, self.f)
 
     def look_again(self) -> None:
-        """The Jacobian is that of the start of the step, as far as it is known."""
+        """Take the known Jacobian as that of the start of the step."""
         lib.flexel_radau_look_again(self.struct)
 
     def refuse(self, factor: float) -> None:
@@ -252,12 +252,12 @@ class Collocation(Struct):
         lib.flexel_radau_refuse(self.struct, factor)
 
     def end(self, t: float) -> Snapshot:
-        """Position and rates at the end of the last step."""
+        """Return position and rates at the end of the last step."""
         work = self.choice.work
         return Snapshot(t, work.x.copy(), work.v.copy(), work.e.copy(), work.w[: work.e.size].copy())
 
     def accept(self) -> StagePolynomial:
-        """Continue from the end of the last step; its dense output."""
+        """Continue from the end of the last step; return its dense output."""
         c, t, y, L = self.struct, self.struct.t, self.y.copy(), self.turns.start.copy()
         end, charts = y + self.Z[2], self.angles.charts
         lib.flexel_radau_accept(*self._structs)

@@ -1,4 +1,4 @@
-"""Whether ropes stay on their sheaves and drums and do not run to their ends, by their gaps at the stored states."""
+"""Checks whether ropes stay on their sheaves and drums and do not run to their ends, by gaps at the stored states."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def at_their_ends(structure: Structure, states: States) -> Iterator[str]:
         if gaps[0].min() < 0 and clear.any():
             yield (
                 f"rope '{wrap.rope}' has left '{wrap.surface}' at t = {_first(clear, times):g} s: no point of it "
-                "touches there; keep it taut, or end the motion before"
+                "touches there; keep it taut, or end the motion earlier"
             )
         for element, rows in wrap.ends.items():
             touching = e[:, rows] < 0
@@ -48,12 +48,12 @@ def at_their_ends(structure: Structure, states: States) -> Iterator[str]:
             if off[0] and some.any() and element not in wrap.anchored:
                 yield (
                     f"rope '{wrap.rope}' has run to its end on '{wrap.surface}' at t = {_first(some, times):g} s: its "
-                    f"last element '{element}' touches it; give a longer rope, or end the motion before"
+                    f"last element '{element}' touches it; give a longer rope, or end the motion earlier"
                 )
             if np.all(touching[0]) and off.any():
                 yield (
                     f"rope '{wrap.rope}' has run off '{wrap.surface}' to its end at t = {_first(off, times):g} s: its "
-                    f"last element '{element}', which lay on it, is free; give more turns, or end the motion before"
+                    f"last element '{element}', which lay on it, is free; give more turns, or end the motion earlier"
                 )
 
 

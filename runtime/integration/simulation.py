@@ -91,5 +91,5 @@ def audited_run(system: CoreSystem, run: Run, found: Integration, times: Array) 
     found = audited(system, run, found)
     if np.isnan(bends.angle):
         return found
-    told = f"beams bent by {bends.angle:.3g} degrees an element at most"
+    told = f"beams bent by at most {bends.angle:.3g} degrees per element"
     return replace(found, verdict="; ".join(filter(None, (found.verdict, told))))

@@ -104,7 +104,7 @@ class ImplicitRun(Run):
         if abs(balance.share) <= LOST or not balance.steps:
             return None
         step = (self.t - float(self.times[0])) / balance.steps
-        did = "taken out" if balance.missing > 0 else "added"
+        did = "removed" if balance.missing > 0 else "added"
         return (
             f"{self.method} has {did} {abs(balance.missing):.2g} J, {abs(balance.share):.0%} of the energy of the "
             f"motion (mean step {step:.2g} s); give a smaller rtol or step, or method='DOP853'"

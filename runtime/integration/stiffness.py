@@ -59,7 +59,7 @@ class Suitable:
 
 
 def suitable(system: CoreSystem, state: State) -> Suitable:
-    """Demands of a system on an integrator at a state; no eigenvalues are taken of very large systems."""
+    """Find the demands of a system on an integrator at a state; eigenvalues of very large systems are not computed."""
     nd = system.roles.nd
     if nd > MANY or (nd > LARGE and not few(system)):
         return Suitable(ALPHA, f"{nd} degrees of freedom, above {MANY if nd > MANY else LARGE}")
@@ -88,7 +88,7 @@ def smooth(system: CoreSystem) -> bool:
 
 
 def limit(system: CoreSystem) -> float:
-    """Max |λ| times the duration from which a motion is integrated implicitly if it does not excite what is fast."""
+    """Return max |λ| times the duration from which a motion is implicitly integrated if no fast modes are excited."""
     return STIFF / max(1.0, system.roles.nd / SMALL)
 
 
@@ -100,12 +100,12 @@ def stiff(system: CoreSystem, state: State, found: Suitable, duration: float) ->
         return False, f"{fastest}, at most {most:.3g}"
     turned = followed(system, state, found.matrix, duration)
     if turns <= SPREAD * turned:
-        return False, f"{fastest}, and what moves turns through {turned:.2g} rad, not {SPREAD:g} times less"
+        return False, f"{fastest}, and excited modes turn through {turned:.2g} rad, not {SPREAD:g} times less"
     return True, f"{fastest}, above {most:.3g}"
 
 
 class Watch:
-    """Looks at an explicit integration after some steps, and warns if the rest will be long for want of stiffness.
+    """Looks at an explicit integration after some steps, and warns if the rest will be long because of stiffness.
 
     Parameters
     ----------
@@ -116,7 +116,7 @@ class Watch:
     Attributes
     ----------
     found : str
-        What was found; empty before the look, and for motions that are not stiff or not long.
+        The finding; empty before the check, and for motions that are not stiff or not long.
     """
 
     def __init__(self, system: CoreSystem, method: str) -> None:

@@ -1,4 +1,4 @@
-"""Some steps from the start of a motion, to see what the motion would take."""
+"""Some steps from the start of a motion, to estimate the cost of the whole motion."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ class Trial:
         return self.taken + self._left
 
     def evaluations(self, more: float) -> float:
-        """Evaluations of the whole motion, each step of which costs `more` than it evaluates."""
+        """Estimate the evaluations of the whole motion, each step of which costs `more` than it evaluates."""
         last = self._last
         each = (self.count - self._counts[-1 - last]) / last
         return self.count + self._left * each + self.steps * more
@@ -77,7 +77,7 @@ class Trial:
 
 
 def explicit_evaluations(run: MinimalRun) -> float:
-    """Evaluations that a motion takes by DOP853, whose tolerances are smaller for later steps; see `Covered`.
+    """Estimate the evaluations of a motion by DOP853, whose tolerances are smaller for later steps; see `Covered`.
 
     Infinite where laws call code of the user, which may keep something from call to call, and where the trial fails.
 
@@ -101,7 +101,7 @@ def explicit_evaluations(run: MinimalRun) -> float:
 
 
 def implicit_evaluations(run: MinimalRun, more: float, budget: float, wanted: float) -> float:
-    """The same by an implicit method.
+    """Estimate the same for an implicit method.
 
     Parameters
     ----------

@@ -21,7 +21,7 @@ CHANGES = 3e5  # of the degrees of freedom that it may take
 
 
 class Watched(Protocol):
-    """What it sees of a motion, by the names of `Run`."""
+    """What it observes of a motion, named as in `Run`."""
 
     times: Array
 

@@ -1,4 +1,4 @@
-"""Whether rigid wheels press on the road: the contact that is never lost would hold one that would lift."""
+"""Checks whether rigid wheels press on the road: their contact, which is never lost, would hold one that would lift."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ ROUNDING = 1e-9  # of the largest force on a wheel
 def pulling(structure: Structure, roles: Roles, states: States, evaluations: int) -> Iterator[str]:
     """Describe wheels that pull on the road, at stored states.
 
-    All that are complete are looked at, and some of the others: there the force costs an evaluation of the equations of
-    motion, of which a motion with many may take more.
+    All complete states are examined, and some of the others, whose forces cost an evaluation of the equations
+    of motion each: more of them in a motion with many evaluations.
 
     Parameters
     ----------
@@ -31,7 +31,7 @@ def pulling(structure: Structure, roles: Roles, states: States, evaluations: int
     roles : Roles
     states : States
     evaluations : int
-        Of the equations of motion, of which the motion has taken so many.
+        Number of evaluations of the equations of motion that the motion has taken.
     """
     wheels = [instance.name for instance in structure.instances if instance.spec.family == FAMILY]
     heights = {wheel: structure.index.get(f"{wheel}.{HEIGHT}") for wheel in wheels}
@@ -49,7 +49,7 @@ def pulling(structure: Structure, roles: Roles, states: States, evaluations: int
         if force > least and row in roles.rigid:
             yield (
                 f"wheel '{wheel}' pulls on the road by {force:.3g} N at t = {when:g} s, where it would lift: give it a "
-                "tyre (m.tyre with a law), which can lift, or end the motion before"
+                "tyre (m.tyre with a law), which can lift, or end the motion earlier"
             )
 
 

@@ -176,7 +176,7 @@ def test_a_file_of_something_else_is_not_overwritten(tmp_path: Path) -> None:
         ),
     }
     for part, simulate in differing.items():
-        with pytest.raises(fx.ModelError, match=f"of another simulation .*{part}.*delete it"):
+        with pytest.raises(fx.ModelError, match=f"to another simulation .*{part}.*delete it"):
             simulate()
     assert path.read_bytes() == saved
     path.write_bytes(saved[:100])

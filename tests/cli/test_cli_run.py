@@ -128,7 +128,7 @@ def test_a_file_may_import_its_neighbour_and_guard_its_program(tmp_path: Path) -
         ("x = '\0'\n", "pendulum.py: source code string cannot contain null bytes"),
         (
             "import flexel as fx\na = fx.Model()\nb = fx.Model()\n",
-            "several models, a, b; call one of them model",
+            "several models, a, b; name one of them model",
         ),
         (PENDULUM.replace("(1, 0, 0)", "(1, 0)"), "pendulum.py, line 7: "),
         (PENDULUM.replace("2.0)", "2.0"), "pendulum.py, line 7: '(' was never closed"),
@@ -172,7 +172,7 @@ def test_options_of_models_are_refused_for_spacar_files(
     result = run(checkout / "tests" / "data" / "slider_crank.dat", "--out", tmp_path / "results", *option)
     assert result.exit_code == 2
     assert (
-        "only the options --mode, --dialect, --warping, --compare, --log, --format mat and --out are"
+        "only the options --mode, --dialect, --warping, --compare, --log, --format mat and --out apply"
         in result.stderr
     )
     assert not (tmp_path / "results").exists()

@@ -175,7 +175,7 @@ def test_a_compiled_element_beside_its_definition_is_no_error(tmp_path: Path) ->
 def test_what_a_page_imports_is_not_its_own(tmp_path: Path) -> None:
     written(tmp_path, CAM, "others.py")
     result = run("show", written(tmp_path, "from others import CAM\n"))
-    assert result.exit_code == 1 and "declares no element and no law" in result.output
+    assert result.exit_code == 1 and "declares no element or law" in result.output
 
 
 @pytest.mark.parametrize(

@@ -185,7 +185,7 @@ def test_copies_and_checkpoints_keep_it(tmp_path: Path) -> None:
     twice = pid(T)
     twice.D *= 2
     for function, way in ((pid(T), 0.4), (pid(T), "clamp"), (pid(T), None), (twice, 0.3)):
-        with pytest.raises(fx.ModelError, match="is of another simulation"):
+        with pytest.raises(fx.ModelError, match="belongs to another simulation"):
             controlled(function, anti_windup=way).simulate(1.0, samples=5, checkpoint=file)
 
 

@@ -161,7 +161,7 @@ def test_events_and_checkpoints_keep_the_controller(tmp_path: Path, monkeypatch:
     assert on["A.x"] == pytest.approx(whole["A.x"], abs=1e-9)
     assert on["c.u"] == pytest.approx(whole["c.u"], abs=1e-7)
     other = controlled(function=lagging, inputs=["A.x"], state=[0.5], delay=0.1)
-    with pytest.raises(fx.ModelError, match="is of another simulation"):
+    with pytest.raises(fx.ModelError, match="belongs to another simulation"):
         other.simulate(1.0, start=moving(other), times=t, checkpoint=tmp_path / "c.npz")
 
 

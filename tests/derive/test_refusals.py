@@ -56,7 +56,7 @@ LENGTH = sp.sqrt(P.x.dot(P.x))
         ({"kinetic_energy": P.v[0]}, "kinetic energy is not quadratic"),
         ({"potential": P.v[0]}, "potential depends on rates"),
         ({"parameters": (Parameter("p_x", 1, "m", "clash"),)}, "'p_x' is used twice"),
-        ({"parameters": (Parameter("double", 1, "m", "word of C"),)}, "'double' cannot be a name"),
+        ({"parameters": (Parameter("double", 1, "m", "word of C"),)}, "'double' is not a valid name"),
         ({"nodes": (P, P)}, "is used twice"),
         ({"nodes": ()}, "has no nodes"),
         ({"let": ((symbol("l"), symbol("k")),)}, "let 'l' contains k"),
@@ -76,9 +76,9 @@ HEIGHT = Deformation("d", "m", LENGTH)
         ((Output("speed", "m/s", P.v[0]),), "output 'speed' depends on rates"),
         ((Output("force", "N", R.f[0]),), "output 'force' contains r_fl0: not a coordinate"),
         ((Output("force", "N", symbol("sigma_e")),), "output 'force' contains sigma_e"),
-        ((Output("U", "J", P.x[0]),), "output 'U' has the name of something in the C; choose another"),
-        ((Output("t7", "J", P.x[0]),), "output 't7' has the name of something in the C"),
-        ((Output("a b", "J", P.x[0]),), "'a b' cannot be a name in C"),
+        ((Output("U", "J", P.x[0]),), "output 'U' has a name used in the C code; choose another"),
+        ((Output("t7", "J", P.x[0]),), "output 't7' has a name used in the C code"),
+        ((Output("a b", "J", P.x[0]),), "'a b' is not a valid name in C"),
         ((Output("d1", "m", P.x), Output("d1", "m", P.x)), "'d1' is used twice"),
         (
             (Output("line", "m", P.x[:2, :], draws="bar"),),
@@ -113,7 +113,7 @@ def test_a_wrong_output_names_itself(arguments: Any, message: str) -> None:
 def test_a_family_with_other_nodes_than_its_own_is_refused() -> None:
     message = (
         r"element 'wrong': the family 'truss' has the nodes \(point, point\) or \(planar_point, planar_point\), "
-        r"not \(point\); leave the family out, or give its nodes"
+        r"not \(point\); omit the family, or give its nodes"
     )
     with pytest.raises(ValueError, match=message):
         Element("wrong", (P,), deformations=(HEIGHT,), doc="height", family="truss")
@@ -122,7 +122,7 @@ def test_a_family_with_other_nodes_than_its_own_is_refused() -> None:
 
 def test_the_name_of_the_time_is_no_name_of_a_parameter() -> None:
     x, xd = symbol("x"), symbol("xd")
-    with pytest.raises(ValueError, match="the name 't' is that of the time; rename"):
+    with pytest.raises(ValueError, match="the name 't' is reserved for the time; rename"):
         Law("wrong", "doc", (Parameter("t", 1, "m", "thickness"),), (x,), (xd,), (), (symbol("t") * x,), ())
 
 

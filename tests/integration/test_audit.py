@@ -246,14 +246,12 @@ def test_an_event_that_jumps_and_is_passed_is_named() -> None:
         return fx.Event("gate", lambda s: 1.0 if begin < s["A.x"] < begin + 0.015 else -1.0)
 
     system = flying(1.0)
-    with pytest.warns(
-        fx.AuditWarning, match=r"event 'gate' has passed unseen: its function is 1 at t = 0\.5[34]"
-    ):
+    with pytest.warns(fx.AuditWarning, match=r"event 'gate' was missed: its function is 1 at t = 0\.5[34]"):
         motion = system.simulate(1.0, max_step=0.1, method="DOP853", samples=3, events=[gate(0.53)])
     assert motion.events == [] and "; 0 events" in motion.verdict
     fine = system.simulate(1.0, max_step=0.02, method="DOP853", samples=3, events=[gate(0.53)])
     assert fine.warnings == () and len(fine.events) == 2
-    with pytest.warns(fx.AuditWarning, match="event 'gate' has passed unseen"):  # a stored state is within it
+    with pytest.warns(fx.AuditWarning, match="event 'gate' was missed"):  # a stored state is within it
         system.simulate(1.0, max_step=0.1, method="DOP853", times=[0.0, 0.54, 1.0], events=[gate(0.53)])
 
 
@@ -352,7 +350,7 @@ def test_beams_bent_too_far_are_kept_with_the_motion() -> None:
     assert [f"simulate: {warning}" for warning in motion.warnings] == [
         str(warning.message) for warning in said
     ]
-    angle = re.search(r"beams bent by (\S+) degrees an element at most", motion.verdict)
+    angle = re.search(r"beams bent by at most (\S+) degrees per element", motion.verdict)
     turned = np.degrees(np.abs(np.arcsin(motion["leaf.bend1"])) + np.abs(np.arcsin(motion["leaf.bend2"])))
     assert angle and float(angle[1]) == pytest.approx(turned.max(), rel=5e-3)  # three digits
 
@@ -373,7 +371,7 @@ def test_a_file_keeps_the_audit_and_a_command_prints_it(tmp_path: Path) -> None:
     lin = tmp_path / "lin.npz"
     system = pendulum()
     system.linearize(system.initial).save(lin)
-    assert "holds no motion" in CliRunner().invoke(check, [str(lin)]).output
+    assert "contains a Linearization, not a motion" in CliRunner().invoke(check, [str(lin)]).output
 
 
 def test_variants_in_lanes_are_balanced() -> None:

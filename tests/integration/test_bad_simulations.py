@@ -83,5 +83,5 @@ def test_an_event_that_calls_itself_without_end_is_named() -> None:
     def height(state: fx.State) -> float:
         return height(state)
 
-    with pytest.raises(fx.ModelError, match="event 'ground'.*calls itself without end"):
+    with pytest.raises(fx.ModelError, match="event 'ground'.*calls itself endlessly"):
         m.build().simulate(1.0, events=[fx.Event("ground", height)])

@@ -251,7 +251,7 @@ def test_what_is_not_a_motion_is_named() -> None:
         (lambda: system.along(), "give a motion, a state, or the times"),
         (lambda: system.along("motion"), "str is not a motion"),
         (lambda: system.along(motion, times=[0, 1]), "has its own times"),
-        (lambda: system.along(times=[1.0, 0.0]), "increases"),
+        (lambda: system.along(times=[1.0, 0.0]), "increasing"),
         (lambda: other.along(motion), "belongs to another model"),
         (lambda: other.along(system.initial), "belongs to another model"),
         (lambda: system.along(motion, period=-1.0), "not positive"),
@@ -271,7 +271,7 @@ def test_times_and_inputs_that_do_not_exist_are_named() -> None:
         (lambda: system.along(system.simulate(0.01, samples=3), period=1.0), "shorter than its period"),
         (lambda: ltv.multipliers(), "has no period"),
         (lambda: ltv.harmonic_balance(3), "has no period"),
-        (lambda: ltv.transient(times=[0.0]), "at least two times"),
+        (lambda: ltv.transient(times=[0.0]), "two increasing times"),
         (lambda: bicycle().along(times=[0.0, 1.0]), r"rear contact\.x.* cannot be held"),
     ):
         with pytest.raises(LinearizationError, match=words):

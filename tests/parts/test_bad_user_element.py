@@ -106,7 +106,7 @@ def test_a_definition_that_is_not_real_everywhere_needs_a_range() -> None:
     wrong = own_bar(name="rooted", deformations=(Deformation("d", "m", sp.sqrt(P.x[0])),))
     with pytest.raises(fx.ElementError, match="'rooted': .*not finite.*ranges="):
         fx.compile_element(wrong)
-    with pytest.raises(fx.ElementError, match="'rooted': a range of 'x'; there are l0,.* p_x"):
+    with pytest.raises(fx.ElementError, match="'rooted': a range of unknown 'x'; there are l0,.* p_x"):
         fx.compile_element(wrong, ranges={"x": (1, 2)})
     with pytest.raises(fx.ElementError, match=r"range \(2, 1\) of 'p_x' is not \(lowest, highest\)"):
         fx.compile_element(wrong, ranges={"p_x": (2, 1)})

@@ -111,8 +111,8 @@ def test_values_of_one_quantity_are_given_once(tmp_path: Path) -> None:
     lines = [*CRANK[:3], "INPUTE 1 2", *HALT, "INPUTE 1 2 0.1 0.2", "EDD 1 2 0.3"]
     assert file(tmp_path, *lines).model.parts[-1].motion.coefficients == (-0.1, -0.2, -0.15)
     assert errors(tmp_path, *lines, "STARTDE 1 2 0.1", "ED 1 2 0.5", dialect="twente") == [
-        "line 9: STARTDE: the value is given by INPUTE in line 7 already; keep one of them",
-        "line 10: ED: the rate is given by INPUTE in line 7 already; keep one of them",
+        "line 9: STARTDE: the value is already given by INPUTE in line 7; keep one of them",
+        "line 10: ED: the rate is already given by INPUTE in line 7; keep one of them",
     ]
 
 

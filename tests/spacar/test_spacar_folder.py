@@ -35,8 +35,8 @@ def test_a_table_shows_how_well_they_agree(tmp_path: Path) -> None:
         (f"{PIVOT}.dat", f"{PIVOT}{suffix}", "10", "10 of 10") for suffix in (".sbd", ".sbm")
     ]
     assert all(float(row[4]) < 1e-9 and row[5] and row[6] for row in report.rows)
-    assert "other.SBD: there is no model of that name" in result.output
-    assert "spacar_leaf.dat: there are no results of SPACAR beside it; not run" in result.output
+    assert "other.SBD: there is no model of this name" in result.output
+    assert "spacar_leaf.dat: there are no SPACAR results next to it; not run" in result.output
 
 
 def test_each_kind_of_results_is_compared_with_the_mode_that_gives_it(tmp_path: Path) -> None:

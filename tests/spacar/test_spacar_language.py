@@ -95,8 +95,8 @@ def test_a_value_at_the_start_is_not_a_rate(role: str, lines: list[str], rate: f
 WRONG = {
     "SPRING 1 2 3": r"line 8: SPRING: unknown keyword",
     "PLBAEM 2 3 5 6 7": r"line 8: PLBAEM: unknown keyword; did you mean .*PLBEAM",
-    "PLBEAM 2 3 5 6": r"line 8: PLBEAM: 4 numbers given; it is written PLBEAM e n1 n2 n3 n4",
-    "PLBEAM 1 3 5 6 7": r"line 8: PLBEAM: element 1 exists since line 1; give another number",
+    "PLBEAM 2 3 5 6": r"line 8: PLBEAM: 4 numbers given; write PLBEAM e n1 n2 n3 n4",
+    "PLBEAM 1 3 5 6 7": r"line 8: PLBEAM: element 1 already exists (line 1); give another number",
     "PLBEAM 2 3 1 6 7": r"line 8: PLBEAM: node 1 is already a planar_point, and is used here as a planar_angle",
     "X 9 0 0": r"line 8: X: no element has the node 9",
     "X 1 0 0 0": r"line 8: X: 3 coordinates given, but node 1 is a planar_point with 2 \(x, y\)",
@@ -131,7 +131,7 @@ WRONG = {
     "FIX 1 nan": r"line 8: FIX: 'nan' is not finite",
     "FIX 1 infinity": r"line 8: FIX: 'infinity' is not finite",
     "X 5 1e300 0": r"line 8: X: '1e300' is too large to calculate with; give at most 1e\+150",
-    "X 5 1,5 0": r"line 8: X: '1,5' is not a number; correct it \(blanks separate numbers, a point their decimals\)",
+    "X 5 1,5 0": r"line 8: X: '1,5' is not a number; correct it \(numbers are separated by blanks, decimals by",
     "FIX 3 0_1": r"line 8: FIX: '0_1' is not a number",
     "FIX 3 \u0661": r"line 8: FIX: '\u0661' is not a number",
 }

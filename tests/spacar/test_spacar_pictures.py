@@ -168,7 +168,7 @@ def test_the_section_may_begin_on_the_line_of_its_name(tmp_path: Path) -> None:
         (["GRAPHICS 1", "OPACITY 7"], "OPACITY: it takes one number from 0 to 1"),
         (
             ["GRAPHICS 1", "FACECOLOR 0 0 0", "COLOR 1 0 0"],
-            f"line {len(MODEL) + 4}: COLOR: FACECOLOR is given in line {len(MODEL) + 3} already",
+            f"line {len(MODEL) + 4}: COLOR: FACECOLOR is already given in line {len(MODEL) + 3}",
         ),
         (["DONOTDRAW"], "DONOTDRAW: it names no elements; give their numbers"),
     ],
@@ -211,7 +211,7 @@ def test_colours_may_be_names_or_the_codes_of_their_letters(
 @pytest.mark.parametrize(
     ("lines", "note"),
     [
-        (["CROSSDIM 0.1 0.1"], "CROSSDIM no effect: no BEAMPROPS, to which it belongs, is before it"),
+        (["CROSSDIM 0.1 0.1"], "CROSSDIM no effect: no BEAMPROPS, to which it belongs, precedes it"),
         (["GRAPHICS 1", "CROSSDIM 1 1"], "CROSSDIM no effect: no BEAMPROPS"),
         (["BEAMPROPS 1", "HINGEPROPS 4", "CROSSDIM 1 1"], "CROSSDIM no effect: no BEAMPROPS"),
         (["BEAMPROPS 1", "CROSSTYPE RECT"], "CROSSTYPE no effect: no CROSSDIM belongs to it"),

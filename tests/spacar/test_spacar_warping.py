@@ -167,7 +167,7 @@ def test_what_a_warping_node_cannot_have_is_refused_or_noted(tmp_path: Path) -> 
     found = file(
         tmp_path, *NODES, "FIX 3", "RLSE 1 7", "DYNE 1 1 2 3 4 5 6 8", *HALT, f"{LAWS[0]} 4.0", LAWS[1]
     )
-    assert any("the last numbers are left out" in note for note in found.notes)
+    assert any("the last numbers are ignored" in note for note in found.notes)
 
 
 def as_light(elements: int, *rest: str) -> list[str]:

@@ -64,7 +64,7 @@ def test_further_blocks_hold_inputs_and_outputs(tmp_path: Path) -> None:
         ),
         ([*HEAD, "HALT", *TAIL], r"line 5: HALT: there is no END before it; write END HALT"),
         ([*HEAD, "END HALT", *TAIL, "END END", "FIX 3"], r"line 11: FIX: comes after END END in line 10"),
-        ([*HEAD, "END HALT", *TAIL, "END END END"], r"line 10: END: the model has ended in line 10"),
+        ([*HEAD, "END HALT", *TAIL, "END END END"], r"line 10: END: the model ended in line 10"),
         ([*HEAD, "END of kinematics", *TAIL], r"line 5: END: is followed by OF; only END and HALT"),
     ],
 )
@@ -93,13 +93,13 @@ def test_values_in_the_first_block_are_not_taken_for_components(tmp_path: Path) 
 @pytest.mark.parametrize("values", ["INPUTX 3 1 0.5", "INPUTE 1 2 0.5"])
 def test_values_of_what_is_not_an_input_are_reported(values: str, tmp_path: Path) -> None:
     with pytest.raises(
-        fx.ModelError, match=r"line 13: INPUT.: it gives the motion of an input, and this is not one"
+        fx.ModelError, match=r"line 13: INPUT.: it gives the motion of an input, which this is not"
     ):
         file(tmp_path, *HEAD, "DYNE 1 1", "END", "HALT", *TAIL, "DELINPE 1 3 1", values)
 
 
 def test_values_without_numbers_are_reported(tmp_path: Path) -> None:
-    with pytest.raises(fx.ModelError, match=r"line 8: INPUTX: 2 numbers given; it is written INPUTX n i x0"):
+    with pytest.raises(fx.ModelError, match=r"line 8: INPUTX: 2 numbers given; write INPUTX n i x0"):
         file(tmp_path, *HEAD, "INPUTX 3 1", "END", "HALT", "INPUTX 3 1", *TAIL)
 
 
@@ -132,7 +132,7 @@ def test_the_second_number_of_iterstep_counts_the_load_steps(tmp_path: Path) -> 
     found = file(tmp_path, *lines, "ITERSTEP 10 9 0.0000005 1 3 0", "TIMESTEP 2.0 50")
     assert (found.increments, found.steps) == (9, 50)
     assert len(found.static_steps()[1]) == 10
-    with pytest.raises(fx.ModelError, match=r"ITERSTEP: 1 numbers given; it is written ITERSTEP iterations"):
+    with pytest.raises(fx.ModelError, match=r"ITERSTEP: 1 numbers given; write ITERSTEP iterations"):
         file(tmp_path, *lines, "ITERSTEP 10")
     with pytest.raises(fx.ModelError, match=r"line 13: ITERSTEP: 0 is not a number of steps"):
         file(tmp_path, *lines, "ITERSTEP 10 0")
@@ -159,7 +159,7 @@ def test_estiff_and_em_without_numbers_mean_none(tmp_path: Path) -> None:
 def test_too_many_numbers_elsewhere_are_reported(tmp_path: Path) -> None:
     with pytest.raises(fx.ModelError, match=r"ESTIFF: 3 values given; a PLBEAM has EA, EI"):
         file(tmp_path, "PLBEAM 1 1 2 3 4", "X 3 1 0", "FIX 1", "END", "HALT", "ESTIFF 1 1 2 3")
-    with pytest.raises(fx.ModelError, match=r"EM: 7 numbers given; it is written EMASS e rhoA"):
+    with pytest.raises(fx.ModelError, match=r"EM: 7 numbers given; write EMASS e rhoA"):
         file(tmp_path, "RBEAM 1 1 2 3 0 1 0", "X 3 1 0 0", "END", "HALT", "EM 1 1 2 3 4 5 6")
 
 
@@ -172,7 +172,7 @@ def test_initial_stresses_are_those_of_the_drawing(tmp_path: Path) -> None:
     assert found.deformation(rest, 1, 1) == pytest.approx(-7.0 / 1e6)
     bends = np.linalg.solve(20.0 * np.array([[4, -2], [-2, 4]]), [-0.5, 0.25])
     assert [found.deformation(rest, 1, i) for i in (3, 4)] == pytest.approx(bends.tolist(), rel=1e-4)
-    with pytest.raises(fx.ModelError, match=r"line 12: ESIG: mode 2 of element 1 is rigid, and its stress"):
+    with pytest.raises(fx.ModelError, match=r"line 12: ESIG: mode 2 of element 1 is rigid, so its stress"):
         file(tmp_path, *lines, "ESIG 1 7.0 1.0")
     with pytest.raises(fx.ModelError, match=r"line 12: ESIG: 2 stresses given; a TRUSS has 1 modes"):
         file(tmp_path, *lines, "ESIG 2 7.0 1.0", "TRUSS 2 1 3")
@@ -202,7 +202,7 @@ def test_inputs_and_outputs_may_have_gaps_in_their_numbers(tmp_path: Path) -> No
     assert [entry.number for entry in found.inputs] == [1, 3, 4] and found.state_space()[1].shape == (12, 3)
     assert any("inputs have the numbers 1, 3, 4" in note for note in found.notes)
     with pytest.raises(
-        fx.ModelError, match=r"line 15: INPUTS: input 4 is given in line 14 already; give another"
+        fx.ModelError, match=r"line 15: INPUTS: input 4 is already given in line 14; give another"
     ):
         file(tmp_path, *lines, "INPUTS 4 1 2", "INPUTS 4 1 1")
 

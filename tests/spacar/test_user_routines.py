@@ -49,7 +49,7 @@ def test_files_with_routines_are_read_with_a_note(tmp_path: Path) -> None:
 
 
 def test_a_routine_has_a_name(tmp_path: Path) -> None:
-    with pytest.raises(fx.ModelError, match="line 9: USERINP: 0 words given; it is written USERINP name"):
+    with pytest.raises(fx.ModelError, match="line 9: USERINP: 0 words given; write USERINP name"):
         file(tmp_path, *TWENTE, "USERINP", *END)
 
 

@@ -79,7 +79,7 @@ def test_failed_points_are_computed_again_when_asked(tmp_path: Path) -> None:
 
 def test_two_sweeps_do_not_write_to_one_folder(tmp_path: Path) -> None:
     def analyse(point: dict[str, float]) -> dict[str, float]:
-        with pytest.raises(fx.ModelError, match="another process writes to"):
+        with pytest.raises(fx.ModelError, match="another process is writing to"):
             fx.sweep(plain, {"a": [1.0]}, numbers, executor="serial", folder=tmp_path)
         return {"x": 1.0}
 

@@ -139,8 +139,8 @@ def test_the_form_is_that_of_the_first_point_that_succeeds(chunk: int) -> None:
         ({}, "return a dict"),
         ({"stable": "yes"}, "'yes' as 'stable'; return numbers"),
         ({"x": [[1.0], [1.0, 2.0]]}, "as 'x'; return numbers"),
-        ({"a": 1.0}, "'a', a name that is taken"),
-        ({"failed": 1.0}, "'failed', a name that is taken"),
+        ({"a": 1.0}, "'a', a name in use"),
+        ({"failed": 1.0}, "'failed', a name in use"),
     ],
 )
 def test_where_all_points_fail_the_sweep_does(returned: Any, message: str) -> None:
@@ -151,7 +151,7 @@ def test_where_all_points_fail_the_sweep_does(returned: Any, message: str) -> No
 
 
 def test_a_dimension_may_not_be_a_parameter() -> None:
-    with pytest.raises(fx.ModelError, match="'x' with the dimension 'a', which is taken"):
+    with pytest.raises(fx.ModelError, match="'x' with the dimension 'a', a name in use"):
         fx.sweep(plain, {"a": [1, 2]}, lambda _: {"x": xarray.DataArray([1.0], dims="a")}, executor="serial")
 
 
@@ -177,7 +177,7 @@ def test_bad_input_is_named(options: dict[str, Any], message: str) -> None:
 def test_an_executor_that_is_closed_is_named() -> None:
     with ThreadPoolExecutor(1) as threads:
         pass
-    with pytest.raises(fx.FlexelError, match="the executor takes no work: .*give one that is open"):
+    with pytest.raises(fx.FlexelError, match="the executor accepts no work: .*give an open one"):
         fx.sweep(plain, {"a": [1.0]}, numbers, executor=threads)
 
 

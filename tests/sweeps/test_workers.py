@@ -15,7 +15,7 @@ import flexel as fx
 
 xarray = pytest.importorskip("xarray", reason="sweeps need pip install 'flexel[sweep]'")
 pytest.importorskip("joblib", reason="sweeps need pip install 'flexel[sweep]'")
-DIED = "its worker died each time, also with nothing else under way; it may need more memory"
+DIED = "its worker died each time, even when it ran alone; it may need more memory"
 
 
 def check(found: Any) -> None:
@@ -36,7 +36,7 @@ def test_a_point_that_kills_its_worker_is_named_and_the_rest_kept() -> None:
 @pytest.mark.slow
 @pytest.mark.long
 def test_if_all_workers_die_the_sweep_says_so() -> None:
-    with pytest.raises(fx.FlexelError, match=r"all workers die, the last one at a = .*executor='serial'"):
+    with pytest.raises(fx.FlexelError, match=r"all workers die, the last at a = .*executor='serial'"):
         fx.sweep(lethal, {"a": [1.0, 2.0, 3.0, 4.0]}, numbers, workers=2)
 
 

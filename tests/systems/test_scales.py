@@ -123,7 +123,7 @@ def results(make: Maker, units: Units) -> Array:
 
 @pytest.mark.filterwarnings("ignore:build.*lengths are in metres:flexel.ModelWarning")
 # the steps of the implicit method damp the vibrations along the rope, in all units alike
-@pytest.mark.filterwarnings("ignore:simulate. generalized-alpha has taken out:flexel.DampingWarning")
+@pytest.mark.filterwarnings("ignore:simulate. generalized-alpha has removed:flexel.DampingWarning")
 @pytest.mark.parametrize("name", longer(MAKERS, "arm"))
 def test_results_do_not_depend_on_the_units(name: str) -> None:
     expected = results(MAKERS[name], (1, 1, 1))

@@ -1,7 +1,7 @@
-"""Codes the numbers of a page in one block: quantized, as differences from what is predicted, and compressed.
+"""Encodes the numbers of a page in one block: quantized, as differences from predicted values, and compressed.
 
 Numbers over frames are smooth, and vertices along a line are, so that their second differences are small: most take
-one byte in place of four.
+one byte instead of four.
 """
 
 from __future__ import annotations

@@ -10,7 +10,7 @@ function complain(message) {
 addEventListener("error", (e) => complain(`The viewer stopped: ${e.message}`));
 addEventListener("unhandledrejection", (e) => complain(`The viewer stopped: ${e.reason?.message ?? e.reason}`));
 if (!document.createElement("canvas").getContext("webgl2"))
-  complain("This browser shows no WebGL; switch on hardware acceleration, or use another browser.");
+  complain("This browser does not provide WebGL; turn on hardware acceleration, or use another browser.");
 // Colours of the picture and of the plot in both of the page's; those of its controls are in viewer.css.
 const LIGHT = { background: "#f6f8fa", sheet: "#e9edf0", grid: "#c3ccd4", text: "#222222", lines: "#dddddd", least: 0 };
 const DARK = { background: "#16191d", sheet: "#20252b", grid: "#3a424b", text: "#d5dbe1", lines: "#343b43", least: 0.5 };
