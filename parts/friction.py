@@ -62,7 +62,10 @@ class Limits(Part[None]):
     high: float = quantity("m or rad", "any", "Deformation at which the upper stop is touched.")
     stiffness: float = quantity("N/m or N m/rad", "positive", "Stiffness of the stops.")
     damping: float = quantity(
-        "s/m or s/rad", "not negative", "Dissipative force relative to the elastic force, at unit rate.", default=0.0
+        "s/m or s/rad",
+        "not negative",
+        "Dissipative force relative to the elastic force, at unit rate.",
+        default=0.0,
     )
 
     @property

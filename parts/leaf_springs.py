@@ -62,7 +62,9 @@ class LeafSpring(Part[tuple[str, ...]]):
         default=None,
     )
     end: Vector | None = array_quantity(
-        "m", "Where it is clamped to the second body [], in the same way: the point ``<name> end``.", default=None
+        "m",
+        "Where it is clamped to the second body [], in the same way: the point ``<name> end``.",
+        default=None,
     )
     direction: Vector | None = array_quantity(
         "-", "Global direction of the section's y axis as drawn.", default=None

@@ -321,7 +321,10 @@ class Stop(Part[None]):
     gap: float = quantity("m or rad", "any", "Deformation at which contact begins.")
     stiffness: float = quantity("N/m or N m/rad", "positive", "Stiffness of the contact.")
     damping: float = quantity(
-        "s/m or s/rad", "not negative", "Dissipative force relative to the elastic force, at unit rate.", default=0.0
+        "s/m or s/rad",
+        "not negative",
+        "Dissipative force relative to the elastic force, at unit rate.",
+        default=0.0,
     )
 
     @property

@@ -46,7 +46,9 @@ def test_a_program_finds_what_is_known(name: str, monkeypatch: pytest.MonkeyPatc
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_a_program_ends_with_a_page_of_the_viewer_and_its_picture_is_in_the_list(name: str, checkout: Path) -> None:
+def test_a_program_ends_with_a_page_of_the_viewer_and_its_picture_is_in_the_list(
+    name: str, checkout: Path
+) -> None:
     """`tools/gallery_pictures.py` draws the picture."""
     text = (FOLDER / f"{name}.py").read_text(encoding="utf-8")
     last = ast.parse(text).body[-1]

@@ -1,7 +1,7 @@
 """Draws the small pictures of the gallery: what the viewer shows of the last line of each program.
 
-`python tools/gallery_pictures.py [NAME …]` writes them to docs/images/gallery/, of the named programs or of all. It needs
-Chromium. Look at them.
+`python tools/gallery_pictures.py [NAME …]` writes them to docs/images/gallery/, of the named programs or of all.
+It needs Chromium. Look at them.
 """
 
 from __future__ import annotations
@@ -55,7 +55,9 @@ def picture(browser: Any, page: Path, time: float) -> Image.Image:
     browser.resize(*WINDOW)
     browser.open(page)
     for hidden in ("header", "#panel", "#keys", "#plots", "footer", "#controls"):
-        browser.value(f"document.querySelectorAll('{hidden}').forEach((found) => {{ found.style.display = 'none' }})")
+        browser.value(
+            f"document.querySelectorAll('{hidden}').forEach((found) => {{ found.style.display = 'none' }})"
+        )
     browser.value("dispatchEvent(new Event('resize'))")
     if browser.value("document.querySelector('#play').textContent") == "Pause":
         browser.value("document.querySelector('#play').click()")
@@ -77,7 +79,9 @@ def main(names: list[str]) -> None:
         for name in names or sorted(file.stem for file in PROGRAMS.glob("[a-z]*.py")):
             page = last_line(name).write(Path(place) / f"{name}.html")
             drawn = picture(browser, page, TIMES.get(name, TIME))
-            drawn.resize(SIZE, Image.Resampling.LANCZOS).quantize(64).save(PICTURES / f"{name}.png", optimize=True)
+            drawn.resize(SIZE, Image.Resampling.LANCZOS).quantize(64).save(
+                PICTURES / f"{name}.png", optimize=True
+            )
 
 
 if __name__ == "__main__":

@@ -189,7 +189,7 @@ def painted(parts: Sequence[drawing.Shape]) -> Array:
     lines = [line for part in parts if part.style in PAINT for line in part.lines]
     if not lines:
         raise ModelError(
-            "nothing to draw: no part of the model has a position; give it points, or plot its values with motion.plot(…)"
+            "nothing to draw: no part of the model has a position; give it points, or plot its values: motion.plot(…)"
         )
     return np.concatenate(lines, axis=-2)
 

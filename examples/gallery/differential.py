@@ -39,7 +39,9 @@ plt.show()
 # %%
 # The motion: play it, turn it, point at its parts.
 
-rims = [fx.Cylinder(f"{name} hub", name, (0, y - 0.05, 0), (0, y + 0.05, 0), 0.3) for name, y in places.items()]
+rims = [
+    fx.Cylinder(f"{name} hub", name, (0, y - 0.05, 0), (0, y + 0.05, 0), 0.3) for name, y in places.items()
+]
 spokes = [fx.Box(f"{name} hub", name, (0, y, 0), (0.5, 0.14, 0.06)) for name, y in places.items()]
 shaft = fx.Cylinder("cage hub", "axle", (0, -0.7, 0), (0, 0.7, 0), 0.04)
 # sphinx_gallery_thumbnail_path = 'images/gallery/differential.png'

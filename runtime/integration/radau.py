@@ -10,7 +10,6 @@ import logging
 
 import numpy as np
 
-from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError, FlexelError, PositionError
 from flexel.engine.coordinate_work import CoordinateWork
 from flexel.engine.covered import Covered

@@ -115,7 +115,8 @@ class Rest(Saddle):
         sliding = [name for name in sliding if f"{name}.gap" in s.index]
         if not sliding:
             return ""
-        return f"; the friction of '{sliding[0]}' depends on the sliding velocity and is zero at rest: bristle_stiffness holds"
+        how = "depends on the sliding velocity and is zero at rest: bristle_stiffness holds"
+        return f"; the friction of '{sliding[0]}' {how}"
 
     def rate(self, q: Equations) -> Array:
         """Return the derivative of the residual with respect to time at fixed x and mu."""

@@ -233,9 +233,7 @@ def _stopped(problem: Rest, states: list[State], p: float, arc: float, loaded: b
     if not loaded:
         return f"the search ended with {100 * p:.4g} % of the unbalanced forces removed; {deformed}"
     if arc >= ARCS.smallest:
-        why = (
-            f"{ARCS.steps} steps were not enough: apply a smaller load, or start again from the last state"
-        )
+        why = f"{ARCS.steps} steps were not enough: apply a smaller load, or start again from the last state"
     else:
         why = "a limit load may have been reached; otherwise use more elements where deformations are large"
     top = max(states, key=lambda state: state.t)

@@ -171,8 +171,8 @@ def test_a_terminal_event_on_a_path_across_a_change_point_ends_its_balance() -> 
 
 @pytest.mark.filterwarnings("ignore:.*energy balance of DOP853 fails by")
 def test_energy_that_rounding_changes_between_steps_is_missing_too() -> None:
-    """Of a stretched four-bar, which moves by 1e-4 rad about its flat position: its degree of freedom changes a hundred times,
-    and steps that are found again from a more exact position."""
+    """Of a stretched four-bar, which moves by 1e-4 rad about its flat position: its degree of freedom changes a hundred
+    times, and steps that are found again from a more exact position."""
     m = fx.Model(gravity=(0, 0))
     places = ((0, 0), (1, 1e-4), (2.25, -5e-5), (3.25, 0))
     for name, place in zip("OABC", places, strict=True):

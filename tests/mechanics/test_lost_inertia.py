@@ -1,4 +1,4 @@
-"""Inertia that is lost in rounding errors: the motion is named, and no accelerations are made of the rounding errors."""
+"""Inertia that is lost in rounding errors: the motion is named, instead of accelerations made of rounding errors."""
 
 import numpy as np
 import pytest
@@ -19,7 +19,14 @@ def rotor(angles: tuple[float, float]) -> fx.System:
         m.point(f"tip{i}", (0.3 * np.cos(angle), 0.3 * np.sin(angle)))
         m.angle(f"end{i}", angle)
         m.beam(
-            f"blade{i}", "O", f"root{i}", f"tip{i}", f"end{i}", EA=1e3, mass_per_length=0.7, inertia_per_length=0.03
+            f"blade{i}",
+            "O",
+            f"root{i}",
+            f"tip{i}",
+            f"end{i}",
+            EA=1e3,
+            mass_per_length=0.7,
+            inertia_per_length=0.03,
         )
     return m.build()
 

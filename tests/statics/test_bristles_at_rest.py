@@ -54,7 +54,9 @@ def test_a_ball_that_is_too_heavy_for_its_friction_is_not_held() -> None:
 
 
 def test_friction_that_depends_on_the_sliding_velocity_is_named() -> None:
-    with pytest.raises(fx.DynamicsError, match=r"motion of 'ball\.z'.*friction of 'left touch' .*zero at rest"):
+    with pytest.raises(
+        fx.DynamicsError, match=r"motion of 'ball\.z'.*friction of 'left touch' .*zero at rest"
+    ):
         jaws(friction=GRIP, slip_speed=1e-3).equilibrium()
 
 

@@ -92,7 +92,13 @@ def test_commands_under_sanitizers_leave_what_ran_and_what_was_found(tmp_path: P
     file, logs = tmp_path / "out" / "sanitize.json", tmp_path / "found"
     (tmp_path / "found.1").write_text("of an earlier run")
     lines = ['test -z "$MARK"', f'+test "$MARK" = "a b" && echo ERROR: x > {logs}.7', "false", "+true"]
-    script = [sys.executable, str(Path(__file__).parents[2] / ".ci" / "sanitized.py"), str(file), str(logs), "MARK=a b"]
+    script = [
+        sys.executable,
+        str(Path(__file__).parents[2] / ".ci" / "sanitized.py"),
+        str(file),
+        str(logs),
+        "MARK=a b",
+    ]
     answer = subprocess.run(script, input="\n".join(lines), capture_output=True, text=True, check=False)
     assert answer.returncode == 1, answer.stderr
     found = read_json(Sanitized, file, "make sanitize")

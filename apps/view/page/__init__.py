@@ -87,7 +87,9 @@ def view_modes(
     modes: Sequence[AnyMode] | None = None,
     **options: Any,
 ) -> Path | Page:
-    """Write a page that shows modes of vibration or buckling with a slider for the amplitude, or return it; see `mode_data`.
+    """Write a page that shows modes of vibration or buckling with a slider for the amplitude, or return it.
+
+    See `mode_data` for the options.
 
     Examples
     --------

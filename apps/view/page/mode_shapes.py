@@ -57,12 +57,15 @@ def mode_data(
         modes = sorted(about.modes(), key=lambda mode: mode.omega)[:MODES_SHOWN]
     if not modes:
         raise ModelError(
-            "view of modes: no modes given; give those of system.vibrations(state) or system.buckling(state), or a linearization"
+            "view of modes: no modes given; give those of system.vibrations(state) or system.buckling(state), or a "
+            "linearization"
         )
     view = view or View()
     base = drawing.shapes(state, view.sketches)
     buckled = all(isinstance(mode, BucklingMode) for mode in modes)
-    found = common(state, base, view, title or ("Buckling modes" if buckled else "Modes of vibration"), caption)
+    found = common(
+        state, base, view, title or ("Buckling modes" if buckled else "Modes of vibration"), caption
+    )
     displaced = [_displaced(state, _coordinates(about, state, mode), base, view) for mode in modes]
     found |= {
         "times": [state.t],
