@@ -54,8 +54,8 @@ plt.show()
 # %%
 # A ride at 30 m/s after a kick: play it, turn it, point at its parts.
 
-rates = {name: r[50] for name, r in rates.items()}
-steady = s.steady(rates=rates, unknown=["machine.z", "pitch.angle"])
-kicked = s.state_at(rates=rates | {"lean.angle": 0.6}, start=steady)
+ride = {name: float(rate[50]) for name, rate in rates.items()}
+steady = s.steady(rates=ride, unknown=["machine.z", "pitch.angle"])
+kicked = s.state_at(rates=ride | {"lean.angle": 0.6}, start=steady)
 # sphinx_gallery_thumbnail_path = 'images/gallery/motorcycle.png'
 s.simulate(3, start=kicked).view(title="A motorcycle at 30 m/s")
