@@ -11,6 +11,7 @@ import contextlib
 import io
 import sys
 import tempfile
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
@@ -71,8 +72,7 @@ def picture(browser: Any, page: Path, time: float) -> Image.Image:
 def main(names: list[str]) -> None:
     """Draw the pictures."""
     sys.path.insert(0, str(ROOT / "tests"))
-    import browser as browsers
-
+    browsers = import_module("browser")
     mpl.use("Agg")
     PICTURES.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory() as place, browsers.start("chromium", Path(place)) as browser:
