@@ -82,5 +82,5 @@ def check_family(owner: str, family: str, kinds: Iterable[str]) -> None:
         shown = " or ".join(f"({', '.join(nodes.split())})" for nodes in own)
         raise ElementError(
             f"{owner}: the family '{family}' has the nodes {shown}, not ({', '.join(given.split())}); omit the "
-            "family out, or give its nodes"
+            "family, or give its nodes"
         )

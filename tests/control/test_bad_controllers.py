@@ -64,13 +64,13 @@ def test_sizes_and_settings() -> None:
     refused("delay -1 is negative", period=0.1, delay=-1.0)
     refused("period 0 is not positive", period=0.0)
     refused("2000 outputs would be delayed at once", period=1e-3, delay=2.0)
-    refused("limits 3; give two", limits=3, period=0.1)
+    refused("limits 3; give a pair", limits=3, period=0.1)
     refused("the lower one must be less", limits=(1, -1), period=0.1)
     refused("limits contain 'low'; give a number", limits=("low", 1), period=0.1)
     refused("None is not a controller; give a function of", None)
     refused("'pid' is not a controller", "pid")
     refused(
-        "states; a continuous one may have 100: reduce its order",
+        "states; a continuous one may have at most 100: reduce its order",
         lambda t, y, x: (0.0, x),
         state=np.zeros(101),
     )

@@ -100,7 +100,7 @@ def test_a_wrong_output_is_refused_by_name(outputs: Any, message: str) -> None:
     ("arguments", "message"),
     [
         (("f", "", P.x), "output 'f' has no unit"),
-        (("f", "N", P.x, "bar"), "output 'f' is drawn, but is in N; places are in m"),
+        (("f", "N", P.x, "bar"), "output 'f' is drawn, but is in N; points are in m"),
         (("f", "m", P.x, "", ("origin", "axes")), "output 'f' has a carrier, but is not drawn"),
         (("f", "m", P.x, "photo"), "output 'f': draws 'photo' is unknown; choose one of '', 'bar'"),
     ],

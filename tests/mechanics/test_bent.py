@@ -39,7 +39,7 @@ def bent(elements: int, angle: float) -> fx.Model:
 def test_an_end_moment_that_bends_an_element_too_far_is_named_with_its_error() -> None:
     """Closed form: M = EI φ/l; that of the element is smaller by φ²/6, so it bends further."""
     with pytest.warns(
-        RangeWarning, match=r"equilibrium: 'b0' is bent by 32°: .* 5.1 % too small; 3 elements"
+        RangeWarning, match=r"equilibrium: 'b0' is bent by 32°: .* 5.1 % too small; use 3 elements"
     ):
         state = bent(1, np.radians(30)).build().equilibrium()
     phi = state["R1.angle"]
@@ -57,7 +57,7 @@ def test_a_twist_within_one_element_is_named_with_its_error() -> None:
     m = cantilever(1, planar=False)
     moment, phi = 1.0, np.arcsin(2 * LENGTH / GJ) / 2
     m.load("R1", (moment, 0.0, 0.0))
-    with pytest.warns(RangeWarning, match=r"'b0' is twisted by 27°: .* 14 % too small; 2 elements"):
+    with pytest.warns(RangeWarning, match=r"'b0' is twisted by 27°: .* 14 % too small; use 2 elements"):
         state = m.build().equilibrium()
     assert state["b0.torsion"] == pytest.approx(LENGTH * np.sin(phi), rel=1e-9)
 

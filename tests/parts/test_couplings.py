@@ -176,7 +176,7 @@ def test_wrong_couplings_are_refused_by_name() -> None:
         fx.ModelError, match="planar belt 'b': the centres are .* have no common tangent; move them"
     ):
         m.planar_belt("b", "P", "p", "Q", "q", radius_p=0.9, radius_q=0.1)
-    with pytest.raises(fx.ModelError, match="planar belt 'b': damping has no effect without stiffness"):
+    with pytest.raises(fx.ModelError, match="planar belt 'b': damping has no effect without a stiffness"):
         m.planar_belt("b", "P", "p", "Q", "q", radius_p=0.1, radius_q=0.1, damping=1.0)
     with pytest.raises(fx.ModelError, match="planar gear 'g': pitch radii 0.1 and -0.1 do not mesh"):
         m.planar_gear("g", "P", "p", "Q", "q", radius_p=0.1, radius_q=-0.1)

@@ -94,10 +94,10 @@ STEEL = {"material": "steel"}
         ({"warping": ("V", "V"), **NUMBERS}, ("both ends have the warping node 'V'",)),
         ({"warping": ("V", "S"), **NUMBERS}, ("'S' is a frame", "it needs a warping")),
         ({"warping": ("V", "X"), **NUMBERS}, ("'X'",)),
-        ({"warping": True, "section": LEAF, "EIw": 1.0, **STEEL}, ("give EIw already",)),
+        ({"warping": True, "section": LEAF, "EIw": 1.0, **STEEL}, ("already give EIw",)),
         (
             {"warping": True, "section": LEAF, "warping_inertia_per_length": 1.0, **STEEL},
-            ("give warping_inertia_per_length already",),
+            ("already give warping_inertia_per_length",),
         ),
         ({"warping": True, **NUMBERS, "EIw": -1.0}, ("EIw -1",)),
         ({"warping": True, "warping_inertia_per_length": -1.0, **NUMBERS}, ("warping_inertia_per_length",)),

@@ -96,7 +96,7 @@ WRONG = {
     "SPRING 1 2 3": r"line 8: SPRING: unknown keyword",
     "PLBAEM 2 3 5 6 7": r"line 8: PLBAEM: unknown keyword; did you mean .*PLBEAM",
     "PLBEAM 2 3 5 6": r"line 8: PLBEAM: 4 numbers given; write PLBEAM e n1 n2 n3 n4",
-    "PLBEAM 1 3 5 6 7": r"line 8: PLBEAM: element 1 already exists (line 1); give another number",
+    "PLBEAM 1 3 5 6 7": r"line 8: PLBEAM: element 1 already exists \(line 1\); give another number",
     "PLBEAM 2 3 1 6 7": r"line 8: PLBEAM: node 1 is already a planar_point, and is used here as a planar_angle",
     "X 9 0 0": r"line 8: X: no element has the node 9",
     "X 1 0 0 0": r"line 8: X: 3 coordinates given, but node 1 is a planar_point with 2 \(x, y\)",

@@ -111,7 +111,7 @@ def test_natural_frequencies_stand_at_the_peaks_of_the_spectrum() -> None:
 def test_the_path_of_a_point_has_equal_scales(slow: fx.Motion) -> None:
     path = slow.plot_phase("rear hub.x", "rear hub.y").axes[0]
     assert (path.get_xlabel(), path.get_ylabel()) == ("rear hub.x [m]", "rear hub.y [m]")
-    assert path.get_aspect() == 1 and path.get_title() == "rear hub.y over rear hub.x"
+    assert path.get_aspect() == 1 and path.get_title() == "rear hub.y against rear hub.x"
     assert slow.plot_phase("lean.angle").axes[0].get_aspect() == "auto"
 
 

@@ -38,7 +38,7 @@ def test_branches_are_named_and_marked_where_they_become_stable() -> None:
     drawn = root_loci(SPEEDS, [bicycle(v) for v in SPEEDS], label="speed [m/s]", names=PLACES)
     above, below = drawn.axes
     assert (above.get_ylabel(), below.get_ylabel()) == ("real part [1/s]", "|imaginary part| [rad/s]")
-    assert below.get_xlabel() == "speed [m/s]" and above.get_title() == "Eigenvalues over speed"
+    assert below.get_xlabel() == "speed [m/s]" and above.get_title() == "Eigenvalues against speed"
     shown = [text.get_text() for text in above.texts]
     assert {"weave\n4.292", "capsize\n6.024"} < set(shown)
     colours = {text.get_text(): text.get_color() for text in above.texts if text.get_text() in PLACES}
