@@ -151,7 +151,9 @@ BROKEN = {
     "the name of a built-in one": (CAM.replace('"cam", (axis', '"truss", (axis'), CAM_LINE, ("element 'truss'",)),
     "two of one name": (CAM + CAM.replace("CAM =", "OTHER ="), 2 * CAM_LINE, ("element 'cam'", f"line {CAM_LINE}")),
     "a compiled one": (
-        f"{CAM}import flexel as fx\nCAM = fx.compile_element(CAM)\n", CAM_LINE, ("CAM is the compiled 'cam'", "another name"),
+        f"{CAM}import flexel as fx\nCAM = fx.compile_element(CAM)\n",
+        CAM_LINE,
+        ("CAM is the compiled 'cam'", "another name"),
     ),
 }  # fmt: skip
 
