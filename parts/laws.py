@@ -14,6 +14,7 @@ from flexel.generated.table import LAWS
 from flexel.model.law_arguments import in_order
 from flexel.model.lowering import Lowering
 from flexel.model.part import Part, part
+from flexel.parts.displacements import displacement
 from flexel.parts.formulas import formula_law
 
 if TYPE_CHECKING:
@@ -76,7 +77,7 @@ class AttachedLaw(Part[None]):
 
 @part
 class LawPart(Part[None]):
-    """Attach a user-defined law: a compiled one, or a formula σ = law(e, ė, t) on one deformation.
+    """Attach a user-defined law: a compiled one, or a formula σ = law(e, ė, t) on one deformation or coordinate.
 
     Statics, linearizations and vibrations evaluate a law that depends on time at the time of their state.
 
@@ -100,8 +101,9 @@ class LawPart(Part[None]):
     """
 
     on: str | Sequence[str] | Mapping[str, str] = entry(
-        "A deformation; for a compiled law its deformations, then its slips, in order, or the quantity for each of "
-        "its arguments, by name.  They become free."
+        "A deformation, or a coordinate for its displacement from where it is drawn; for a compiled law its "
+        "deformations, then its slips, in order, or the quantity for each of its arguments, by name.  They become "
+        "free."
     )
     law: CompiledLaw | Callable[..., Any] = entry(
         "The result of `flexel.compile_law`; or a function of e, of e and ed, or of e, ed and the time t [s], that is "
@@ -157,12 +159,18 @@ def _lower_compiled(to: Lowering, given: LawPart, law: Any) -> None:
     to.law(
         f"{given.owner} on {_listed(on)}",
         law.spec,
-        on,
+        [displacement(to, name, owner) for name in on],
         given.parameters or {},
         code=law.code,
         initial=given.initial,
-        label=given.name,
+        label=given.name or _label(to, on),
     )
+
+
+def _label(to: Lowering, on: Sequence[str]) -> str | None:
+    """Return the name of a law on coordinates, which are displacements of its own; None for the default."""
+    coordinates = [name for name in on if name.partition(".")[0] in to.nodes]
+    return " ".join(on) if coordinates else None
 
 
 def _lower_formula(to: Lowering, given: LawPart) -> None:
@@ -195,7 +203,7 @@ def add_formula(
     owner : str
         The declaration that adds it, for messages.
     on : sequence of str
-        One deformation.
+        One deformation, or one coordinate, whose displacement from where it is drawn counts.
     stress : callable(e), callable(e, ed) or callable(e, ed, t)
     energy : callable(e), optional
     ranges : mapping of str to (float, float), optional
@@ -208,9 +216,11 @@ def add_formula(
             f"{owner}: a formula acts on one deformation, but {len(on)} are named; compile a law of more with "
             "fx.compile_law"
         )
-    to.quantity_kind(on[0], owner)  # before a formula is compiled for it
+    places = [displacement(to, on[0], owner)]
+    to.quantity_kind(places[0], owner)  # before a formula is compiled for it
     found = formula_law(owner, stress, energy, ranges)
-    to.law(owner, found.law.spec, on, found.parameters, code=found.law.code, label=label, knots=found.knots)
+    label = label or _label(to, on)
+    to.law(owner, found.law.spec, places, found.parameters, code=found.law.code, label=label, knots=found.knots)
 
 
 def _is_compiled(law: object) -> bool:

@@ -80,7 +80,7 @@ class CoreSystem:
         """Return the start of the search for the position of this thread's next right-hand side."""
         return self.kinematics.choice.last or self._continued or self._start
 
-    @cached_property
+    @property
     def initial(self) -> State:
         """The consistent initial state, with its accelerations.
 
@@ -89,6 +89,15 @@ class CoreSystem:
         DynamicsError
             If a degree of freedom has no inertia; `at_rest` and `unaccelerated` need none.
         """
+        if not self.loads.constant or self._callbacks:  # what functions return may have changed
+            return self._complete_start()
+        return self._kept_start
+
+    @cached_property
+    def _kept_start(self) -> State:
+        return self._complete_start()
+
+    def _complete_start(self) -> State:
         c = self._start
         return dynamics.complete(self.kinematics, c.t, c.x, c.v, c.e, self.structure.z0)
 

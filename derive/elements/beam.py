@@ -8,7 +8,7 @@ from flexel.derive.declare import Deformation, Element, Frame, Let, Node, Point
 from flexel.derive.declare.rotation import HALF, body_angular_velocity, dot, norm, product, triad_rate
 from flexel.derive.declare.shape import hermite_energy, hermite_mean, rotary_energy, shear_number
 from flexel.derive.declare.symbols import symbol
-from flexel.derive.elements.section_outputs import axis, section_forces, shear_angle
+from flexel.derive.elements.section_outputs import axis, section_forces, shear_angle, turn_cosines
 from flexel.derive.elements.shared_parameters import EIY, EIZ, GAY, GAZ, GRAVITY, L0, RHOA, RHOJ, TP, TQ
 from flexel.derive.elements.triads import Triad, named_quaternion, named_triad
 
@@ -36,6 +36,8 @@ f = De'sigma: force_p, moment_p = -(R(u_p)'f_xp, L(u_p) (f_lambda_p o tp)/2), fo
 axis: places on the cubic axis; across: ey_p, ey_q"""
 ANGLE = """
 shear_angle = |(phi_z/(1 + phi_z) (bend1 - bend2), phi_y/(1 + phi_y) (bend3 - bend4))|/(2 l0)"""
+COSINES = """
+turn_cosines = ex_p.el, ex_q.el, (ey_p.ey_q + ez_p.ez_q)/2"""
 
 BENDS = (
     ("bend1", "bend_y"),
@@ -158,12 +160,13 @@ def _beam(name: str, second: bool) -> Element:
         deformations=modes,
         kinetic_energy=energy,
         potential=-RHOA.symbol * l0 * dot(GRAVITY.vector, centre),
-        doc=FIRST + (_SECOND if second else _NO_SECOND) + _ENERGY + FORCES + ANGLE,
+        doc=FIRST + (_SECOND if second else _NO_SECOND) + _ENERGY + FORCES + ANGLE + COSINES,
         source="Meijaard 1996, Nonlinear Dyn. 9; Jonker and Meijaard 2013, Int. J. Non-Linear Mech. 53; "
         "Przemieniecki 1968 (mass with rotary inertia)",
         outputs=(
             *section_forces(nodes, us, (tp, tq)),
             shear_angle(modes, {"bend_y": phi_z, "bend_z": phi_y}),
+            turn_cosines((q.x - p.x) / LENGTH, tp, tq),
             *axis(p, q, (tp, tq)),
         ),
     )

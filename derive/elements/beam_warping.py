@@ -9,8 +9,10 @@ from flexel.derive.declare.rotation import dot
 from flexel.derive.declare.shape import hermite_energy, hermite_mean
 from flexel.derive.elements.beam import (
     ANGLE,
+    COSINES,
     FIRST,
     FORCES,
+    LENGTH,
     SHEAR,
     deformations,
     first_order,
@@ -18,7 +20,7 @@ from flexel.derive.elements.beam import (
     second_order,
     shear_numbers,
 )
-from flexel.derive.elements.section_outputs import axis, section_forces, shear_angle
+from flexel.derive.elements.section_outputs import axis, section_forces, shear_angle, turn_cosines
 from flexel.derive.elements.shared_parameters import (
     EA,
     EIY,
@@ -128,12 +130,13 @@ def _beam_warping() -> Element:
         deformations=modes,
         kinetic_energy=energy,
         potential=-RHOA.symbol * l0 * dot(GRAVITY.vector, hermite_mean(p.x, l0 * tp[0], q.x, l0 * tq[0])),
-        doc=FIRST + _DOC + FORCES + "\nbimoment_p = -f_wp, bimoment_q = f_wq" + ANGLE,
+        doc=FIRST + _DOC + FORCES + "\nbimoment_p = -f_wp, bimoment_q = f_wq" + ANGLE + COSINES,
         source="Vlasov 1961, Thin-walled elastic beams; Wagner 1929 (twist and axial force); Jonker 2021 (warping "
         "coordinates)",
         outputs=(
             *section_forces(nodes, us, (tp, tq)),
             shear_angle(modes, {"bend_y": phi_z, "bend_z": phi_y}),
+            turn_cosines((q.x - p.x) / LENGTH, tp, tq),
             *axis(p, q, (tp, tq)),
         ),
     )

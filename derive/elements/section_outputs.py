@@ -1,10 +1,12 @@
-"""Outputs of beams: the forces in their end sections, the shear angle, the axis that a picture draws.
+"""Outputs of beams: forces in their end sections, shear angle, cosines of their turns, the axis that a picture draws.
 
 The forces on the nodes are De' sigma, so those in the end sections follow from virtual work, exactly in equilibrium,
 for any deformations (Besseling 1974): the force from the rows of the points, the moment from the rows f of the Euler
 parameters, M = W f/4 with omega = W lambda', the bimoment from the row of the twist per length.  Loads along the
 element, including weight and inertia, are lumped at its nodes.
 """
+
+from collections.abc import Sequence
 
 from sympy import Expr, Matrix, sqrt
 
@@ -55,6 +57,24 @@ def shear_angle(modes: tuple[Deformation, ...], shear: dict[str, Expr]) -> Outpu
         first, second = (mode.expr for mode in modes if mode.kind == kind)
         square += (number / (1 + number) * (first - second) / (2 * L0.symbol)) ** 2
     return Output("shear_angle", "rad", sqrt(square))
+
+
+def turn_cosines(chord: Matrix, first: Sequence[Matrix], last: Sequence[Matrix]) -> Output:
+    """Return the cosines of the angles between chord and axis at both ends and, in space, of the twist.
+
+    The deformations are sines of these angles, which do not tell an angle from its supplement.
+
+    Parameters
+    ----------
+    chord : Matrix
+        Direction from p to q.
+    first, last : sequence of Matrix
+        Directions of the element at p and at q, that of the axis first.
+    """
+    found = [dot(first[0], chord), dot(last[0], chord)]
+    if len(first) > 2:
+        found.append(sum(dot(a, b) for a, b in zip(first[1:], last[1:], strict=True)) / 2)
+    return Output("turn_cosines", "1", Matrix(found))
 
 
 def axis(p: Node, q: Node, ends: tuple[tuple[Matrix, ...], tuple[Matrix, ...]]) -> tuple[Output, ...]:

@@ -19,6 +19,7 @@ from numpy.typing import ArrayLike
 from flexel.base.arrays import Array, Index
 from flexel.base.callers import outside
 from flexel.base.errors import RangeWarning
+from flexel.mechanics.folded import folded
 from flexel.mechanics.sheared import shear_angles, sheared
 from flexel.mechanics.turned import AXES, instant, turned
 from flexel.model.instances import Instance
@@ -117,6 +118,8 @@ def bent(structure: Structure, times: ArrayLike, e: Array, x: Array) -> Bent:
     if not turns.elements:
         return Bent(np.nan, found)
     names, (bends, twisted) = [element.name for element in turns.elements], turns.angles(e)
+    if over := folded(structure, turns.elements, x[-1:], e[-1:], FAR):
+        return Bent(over.angle, [*found, over.text])
     found += sheared(names, shear_angles(structure, turns.elements, x, e, np.radians(bends)), times)
     worst = np.maximum(bends, twisted)
     far = int((worst.max(axis=0) > FAR).sum())
