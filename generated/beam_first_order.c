@@ -15,6 +15,7 @@
  *    the minus
  * axis: places on the cubic axis; across: ey_p, ey_q
  * shear_angle = |(phi_z/(1 + phi_z) (bend1 - bend2), phi_y/(1 + phi_y) (bend3 - bend4))|/(2 l0)
+ * turn_cosines = ex_p.el, ex_q.el, (ey_p.ey_q + ez_p.ez_q)/2
  *
  * Source: Meijaard 1996, Nonlinear Dyn. 9; Jonker and Meijaard 2013, Int. J. Non-Linear Mech. 53; Przemieniecki 1968
  *   (mass with rotary inertia)
@@ -5819,9 +5820,10 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
     }
 }
 
-/* outputs: 881 operations.
+/* outputs: 908 operations.
  * in:  x (14), sigma (6), tau (0), p (20)
- * out: force_p (3), moment_p (3), force_q (3), moment_q (3), shear_angle (1), axis (17,3), across (2,3) */
+ * out: force_p (3), moment_p (3), force_q (3), moment_q (3), shear_angle (1), turn_cosines (3), axis (17,3), across
+ *   (2,3) */
 FLEXEL_CLONES
 static void beam_first_order_outputs(size_t nblocks, const real *const *in, real *const *out)
 {
@@ -5834,8 +5836,9 @@ static void beam_first_order_outputs(size_t nblocks, const real *const *in, real
         real *restrict force_q = out[2] + b * (3 * 8);
         real *restrict moment_q = out[3] + b * (3 * 8);
         real *restrict shear_angle = out[4] + b * (1 * 8);
-        real *restrict axis = out[5] + b * (51 * 8);
-        real *restrict across = out[6] + b * (6 * 8);
+        real *restrict turn_cosines = out[5] + b * (3 * 8);
+        real *restrict axis = out[6] + b * (51 * 8);
+        real *restrict across = out[7] + b * (6 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real rp_l0 = x[3 * 8 + j];
@@ -6015,6 +6018,10 @@ static void beam_first_order_outputs(size_t nblocks, const real *const *in, real
             const real t87 = 1.0 / (1.0 + phi_z);
             const real t88 = t82 * t82 * t83 * t83 * t81 * t81 + t86 * t86 * t87 * t87 * t85 * t85;
             shear_angle[0 * 8 + j] = real_sqrt(36.0 * (t79 * t88));
+            turn_cosines[0 * 8 + j] = t4 * (ex_p_x * d_x + 2.0 * (t38 * d_y + t39 * d_z));
+            turn_cosines[1 * 8 + j] = t4 * (ex_q_x * d_x + 2.0 * (t59 * d_y + t60 * d_z));
+            turn_cosines[2 * 8 + j] = 0.5 * (ey_p_y * ey_q_y + ez_p_z * ez_q_z) + 2.0 * (t22 * t28 + t33 * t34 + t12
+                * t8 + t31 * t25);
             axis[3 * 8 + j] = 0.98876953125 * p_x + 0.01123046875 * q_x + l0 * (0.054931640625 * ex_p_x
                 - 0.003662109375 * ex_q_x); /* axis(1,0) */
             axis[4 * 8 + j] = 0.98876953125 * p_y + 0.01123046875 * q_y + l0 * (0.10986328125 * t38 - 0.00732421875
@@ -6112,7 +6119,7 @@ static void beam_first_order_outputs(size_t nblocks, const real *const *in, real
 
 const flexel_element flexel_beam_first_order = {
     .name = "beam_first_order",
-    .digest = "3dd6337dec1e1649",
+    .digest = "8598a496921a54a5",
     .n = 14,
     .m = 6,
     .k = 0,

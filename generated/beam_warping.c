@@ -28,6 +28,7 @@
  * axis: places on the cubic axis; across: ey_p, ey_q
  * bimoment_p = -f_wp, bimoment_q = f_wq
  * shear_angle = |(phi_z/(1 + phi_z) (bend1 - bend2), phi_y/(1 + phi_y) (bend3 - bend4))|/(2 l0)
+ * turn_cosines = ex_p.el, ex_q.el, (ey_p.ey_q + ez_p.ez_q)/2
  *
  * Source: Vlasov 1961, Thin-walled elastic beams; Wagner 1929 (twist and axial force); Jonker 2021 (warping
  *   coordinates)
@@ -7942,10 +7943,10 @@ static void beam_warping_tangent(size_t nblocks, const real *const *in, real *co
     }
 }
 
-/* outputs: 1072 operations.
+/* outputs: 1099 operations.
  * in:  x (16), sigma (8), tau (0), p (22)
- * out: force_p (3), moment_p (3), bimoment_p (1), force_q (3), moment_q (3), bimoment_q (1), shear_angle (1), axis
- *   (17,3), across (2,3) */
+ * out: force_p (3), moment_p (3), bimoment_p (1), force_q (3), moment_q (3), bimoment_q (1), shear_angle (1),
+ *   turn_cosines (3), axis (17,3), across (2,3) */
 FLEXEL_CLONES
 static void beam_warping_outputs(size_t nblocks, const real *const *in, real *const *out)
 {
@@ -7960,8 +7961,9 @@ static void beam_warping_outputs(size_t nblocks, const real *const *in, real *co
         real *restrict moment_q = out[4] + b * (3 * 8);
         real *restrict bimoment_q = out[5] + b * (1 * 8);
         real *restrict shear_angle = out[6] + b * (1 * 8);
-        real *restrict axis = out[7] + b * (51 * 8);
-        real *restrict across = out[8] + b * (6 * 8);
+        real *restrict turn_cosines = out[7] + b * (3 * 8);
+        real *restrict axis = out[8] + b * (51 * 8);
+        real *restrict across = out[9] + b * (6 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real rp_l0 = x[3 * 8 + j];
@@ -8202,6 +8204,10 @@ static void beam_warping_outputs(size_t nblocks, const real *const *in, real *co
             const real t131 = 1.0 / (1.0 + phi_z);
             const real t132 = t126 * t126 * t127 * t127 * t125 * t125 + t130 * t130 * t131 * t131 * t129 * t129;
             shear_angle[0 * 8 + j] = real_sqrt(36.0 * (t70 * t132));
+            turn_cosines[0 * 8 + j] = t4 * (ex_p_x * d_x + 2.0 * (t68 * d_y + t69 * d_z));
+            turn_cosines[1 * 8 + j] = t4 * (ex_q_x * d_x + 2.0 * (t100 * d_y + t101 * d_z));
+            turn_cosines[2 * 8 + j] = 0.5 * (ey_p_y * ey_q_y + ez_p_z * ez_q_z) + 2.0 * (t18 * t15 + t29 * t27 + t24
+                * t28 + t12 * t21);
             axis[3 * 8 + j] = 0.98876953125 * p_x + 0.01123046875 * q_x + l0 * (0.054931640625 * ex_p_x
                 - 0.003662109375 * ex_q_x); /* axis(1,0) */
             axis[4 * 8 + j] = 0.98876953125 * p_y + 0.01123046875 * q_y + l0 * (0.10986328125 * t68 - 0.00732421875
@@ -8299,7 +8305,7 @@ static void beam_warping_outputs(size_t nblocks, const real *const *in, real *co
 
 const flexel_element flexel_beam_warping = {
     .name = "beam_warping",
-    .digest = "5a1cd782ba5dc7c6",
+    .digest = "5d515e6c0608ec44",
     .n = 16,
     .m = 8,
     .k = 0,

@@ -11,6 +11,7 @@
  *   minus
  * axis: places on the cubic axis; across: ey_p, ey_q
  * shear_angle = |phi_y/(1 + phi_y) (bend1 - bend2)|/(2 l0)
+ * turn_cosines = ex_p.el, ex_q.el
  *
  * Source: SPACAR95 manual (Schwab and Meijaard 2000), PLBEAM, PLBEAMNL; signs of the spatial beam's b5, b6; Meijaard
  *   1996, Nonlinear Dyn. 9
@@ -1178,7 +1179,8 @@ static void planar_beam_first_order_tangent(size_t nblocks, const real *const *i
 
 /* outputs: 316 operations.
  * in:  x (6), sigma (3), tau (0), p (9)
- * out: force_p (2), moment_p (1), force_q (2), moment_q (1), shear_angle (1), axis (17,2), across (2,2) */
+ * out: force_p (2), moment_p (1), force_q (2), moment_q (1), shear_angle (1), turn_cosines (2), axis (17,2), across
+ *   (2,2) */
 FLEXEL_CLONES
 static void planar_beam_first_order_outputs(size_t nblocks, const real *const *in, real *const *out)
 {
@@ -1191,12 +1193,13 @@ static void planar_beam_first_order_outputs(size_t nblocks, const real *const *i
         real *restrict force_q = out[2] + b * (2 * 8);
         real *restrict moment_q = out[3] + b * (1 * 8);
         real *restrict shear_angle = out[4] + b * (1 * 8);
-        real *restrict axis = out[5] + b * (34 * 8);
-        real *restrict across = out[6] + b * (4 * 8);
+        real *restrict turn_cosines = out[5] + b * (2 * 8);
+        real *restrict axis = out[6] + b * (34 * 8);
+        real *restrict across = out[7] + b * (4 * 8);
         real t0[8], cos_p[8], d_x[8], d_y[8], t1[8], t2[8], sin_q[8], t3[8], sin_p[8], t4[8], t6[8], cos_q[8],
-            el_y[8], el_x[8], t10[8], t12[8], t14[8], t16[8], t18[8], t19[8], t20[8], t22[8], t24[8], t25[8], t26[8],
-            t28[8], t30[8], t31[8], t32[8], t34[8], t36[8], t37[8], t38[8], t40[8], t42[8], t43[8], t44[8], t46[8],
-            t48[8], t49[8], t50[8], t52[8], t54[8], t55[8], t56[8], t58[8];
+            el_y[8], el_x[8], t12[8], t14[8], t16[8], t18[8], t20[8], t21[8], t22[8], t24[8], t26[8], t27[8], t28[8],
+            t30[8], t32[8], t33[8], t34[8], t36[8], t38[8], t39[8], t40[8], t42[8], t44[8], t45[8], t46[8], t48[8],
+            t50[8], t51[8], t52[8], t54[8], t56[8], t57[8], t58[8], t60[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real rp_angle = x[2 * 8 + j];
@@ -1226,42 +1229,42 @@ static void planar_beam_first_order_outputs(size_t nblocks, const real *const *i
             el_y[j] = d_y[j] * t1[j];
             el_x[j] = d_x[j] * t1[j];
             const real GAy = p[6 * 8 + j];
-            const real t9 = 1.0 / l0 * (1.0 / l0);
+            const real t11 = 1.0 / l0 * (1.0 / l0);
             const real EIz = p[5 * 8 + j];
-            const real phi_y = 12.0 * (1.0 / GAy * (EIz * t9));
-            t10[j] = real_abs(phi_y);
-            const real t11 = 1.0 / (1.0 + phi_y);
-            t12[j] = real_sqrt(t9 * t11 * t11);
-            t14[j] = 0.98876953125 * p_x + 0.01123046875 * q_x;
-            t16[j] = 0.98876953125 * p_y + 0.01123046875 * q_y;
-            t18[j] = 0.95703125 * p_x + 0.04296875 * q_x;
-            t19[j] = 0.95703125 * p_y + 0.04296875 * q_y;
-            t20[j] = 0.90771484375 * p_x + 0.09228515625 * q_x;
-            t22[j] = 0.90771484375 * p_y + 0.09228515625 * q_y;
-            t24[j] = 0.84375 * p_x + 0.15625 * q_x;
-            t25[j] = 0.84375 * p_y + 0.15625 * q_y;
-            t26[j] = 0.76806640625 * p_x + 0.23193359375 * q_x;
-            t28[j] = 0.76806640625 * p_y + 0.23193359375 * q_y;
-            t30[j] = 0.68359375 * p_x + 0.31640625 * q_x;
-            t31[j] = 0.68359375 * p_y + 0.31640625 * q_y;
-            t32[j] = 0.59326171875 * p_x + 0.40673828125 * q_x;
-            t34[j] = 0.59326171875 * p_y + 0.40673828125 * q_y;
-            t36[j] = 0.5 * (p_x + q_x);
-            t37[j] = 0.5 * (p_y + q_y);
-            t38[j] = 0.40673828125 * p_x + 0.59326171875 * q_x;
-            t40[j] = 0.40673828125 * p_y + 0.59326171875 * q_y;
-            t42[j] = 0.31640625 * p_x + 0.68359375 * q_x;
-            t43[j] = 0.31640625 * p_y + 0.68359375 * q_y;
-            t44[j] = 0.23193359375 * p_x + 0.76806640625 * q_x;
-            t46[j] = 0.23193359375 * p_y + 0.76806640625 * q_y;
-            t48[j] = 0.15625 * p_x + 0.84375 * q_x;
-            t49[j] = 0.15625 * p_y + 0.84375 * q_y;
-            t50[j] = 0.09228515625 * p_x + 0.90771484375 * q_x;
-            t52[j] = 0.09228515625 * p_y + 0.90771484375 * q_y;
-            t54[j] = 0.04296875 * p_x + 0.95703125 * q_x;
-            t55[j] = 0.04296875 * p_y + 0.95703125 * q_y;
-            t56[j] = 0.01123046875 * p_x + 0.98876953125 * q_x;
-            t58[j] = 0.01123046875 * p_y + 0.98876953125 * q_y;
+            const real phi_y = 12.0 * (1.0 / GAy * (EIz * t11));
+            t12[j] = real_abs(phi_y);
+            const real t13 = 1.0 / (1.0 + phi_y);
+            t14[j] = real_sqrt(t11 * t13 * t13);
+            t16[j] = 0.98876953125 * p_x + 0.01123046875 * q_x;
+            t18[j] = 0.98876953125 * p_y + 0.01123046875 * q_y;
+            t20[j] = 0.95703125 * p_x + 0.04296875 * q_x;
+            t21[j] = 0.95703125 * p_y + 0.04296875 * q_y;
+            t22[j] = 0.90771484375 * p_x + 0.09228515625 * q_x;
+            t24[j] = 0.90771484375 * p_y + 0.09228515625 * q_y;
+            t26[j] = 0.84375 * p_x + 0.15625 * q_x;
+            t27[j] = 0.84375 * p_y + 0.15625 * q_y;
+            t28[j] = 0.76806640625 * p_x + 0.23193359375 * q_x;
+            t30[j] = 0.76806640625 * p_y + 0.23193359375 * q_y;
+            t32[j] = 0.68359375 * p_x + 0.31640625 * q_x;
+            t33[j] = 0.68359375 * p_y + 0.31640625 * q_y;
+            t34[j] = 0.59326171875 * p_x + 0.40673828125 * q_x;
+            t36[j] = 0.59326171875 * p_y + 0.40673828125 * q_y;
+            t38[j] = 0.5 * (p_x + q_x);
+            t39[j] = 0.5 * (p_y + q_y);
+            t40[j] = 0.40673828125 * p_x + 0.59326171875 * q_x;
+            t42[j] = 0.40673828125 * p_y + 0.59326171875 * q_y;
+            t44[j] = 0.31640625 * p_x + 0.68359375 * q_x;
+            t45[j] = 0.31640625 * p_y + 0.68359375 * q_y;
+            t46[j] = 0.23193359375 * p_x + 0.76806640625 * q_x;
+            t48[j] = 0.23193359375 * p_y + 0.76806640625 * q_y;
+            t50[j] = 0.15625 * p_x + 0.84375 * q_x;
+            t51[j] = 0.15625 * p_y + 0.84375 * q_y;
+            t52[j] = 0.09228515625 * p_x + 0.90771484375 * q_x;
+            t54[j] = 0.09228515625 * p_y + 0.90771484375 * q_y;
+            t56[j] = 0.04296875 * p_x + 0.95703125 * q_x;
+            t57[j] = 0.04296875 * p_y + 0.95703125 * q_y;
+            t58[j] = 0.01123046875 * p_x + 0.98876953125 * q_x;
+            t60[j] = 0.01123046875 * p_y + 0.98876953125 * q_y;
         }
         for (size_t j = 0; j < 8; j++) {
             cos_p[j] = real_cos(t0[j]);
@@ -1281,60 +1284,64 @@ static void planar_beam_first_order_outputs(size_t nblocks, const real *const *i
             const real q_fy = t1[j] * t7 + d_y[j] * t8;
             force_p[0 * 8 + j] = cos_p[j] * q_fx + sin_p[j] * q_fy;
             force_p[1 * 8 + j] = cos_p[j] * q_fy - sin_p[j] * q_fx;
-            moment_p[0 * 8 + j] = (sin_p[j] * el_y[j] + cos_p[j] * el_x[j]) * t4[j];
+            const real t9 = sin_p[j] * el_y[j] + cos_p[j] * el_x[j];
+            turn_cosines[0 * 8 + j] = t9;
+            moment_p[0 * 8 + j] = t9 * t4[j];
             force_q[0 * 8 + j] = cos_q[j] * q_fx + sin_q[j] * q_fy;
             force_q[1 * 8 + j] = cos_q[j] * q_fy - sin_q[j] * q_fx;
-            const real rq_fangle = (sin_q[j] * el_y[j] + cos_q[j] * el_x[j]) * t3[j];
+            const real t10 = sin_q[j] * el_y[j] + cos_q[j] * el_x[j];
+            turn_cosines[1 * 8 + j] = t10;
+            const real rq_fangle = t10 * t3[j];
             moment_q[0 * 8 + j] = rq_fangle;
-            const real t13 = el_y[j] * (cos_p[j] + cos_q[j]) - el_x[j] * (sin_p[j] + sin_q[j]);
+            const real t15 = el_y[j] * (cos_p[j] + cos_q[j]) - el_x[j] * (sin_p[j] + sin_q[j]);
             const real l0 = p[0 * 8 + j];
-            shear_angle[0 * 8 + j] = 0.5 * t12[j] * real_abs(l0 * t13) * t10[j];
-            const real t15 = l0 * (0.054931640625 * cos_p[j] - 0.003662109375 * cos_q[j]);
-            axis[2 * 8 + j] = t14[j] + t15; /* axis(1,0) */
-            const real t17 = l0 * (0.054931640625 * sin_p[j] - 0.003662109375 * sin_q[j]);
-            axis[3 * 8 + j] = t16[j] + t17; /* axis(1,1) */
-            axis[4 * 8 + j] = t18[j] + l0 * (0.095703125 * cos_p[j] - 0.013671875 * cos_q[j]); /* axis(2,0) */
-            axis[5 * 8 + j] = t19[j] + l0 * (0.095703125 * sin_p[j] - 0.013671875 * sin_q[j]); /* axis(2,1) */
-            const real t21 = l0 * (0.123779296875 * cos_p[j] - 0.028564453125 * cos_q[j]);
-            axis[6 * 8 + j] = t20[j] + t21; /* axis(3,0) */
-            const real t23 = l0 * (0.123779296875 * sin_p[j] - 0.028564453125 * sin_q[j]);
-            axis[7 * 8 + j] = t22[j] + t23; /* axis(3,1) */
-            axis[8 * 8 + j] = t24[j] + l0 * (0.140625 * cos_p[j] - 0.046875 * cos_q[j]); /* axis(4,0) */
-            axis[9 * 8 + j] = t25[j] + l0 * (0.140625 * sin_p[j] - 0.046875 * sin_q[j]); /* axis(4,1) */
-            const real t27 = l0 * (0.147705078125 * cos_p[j] - 0.067138671875 * cos_q[j]);
-            axis[10 * 8 + j] = t26[j] + t27; /* axis(5,0) */
-            const real t29 = l0 * (0.147705078125 * sin_p[j] - 0.067138671875 * sin_q[j]);
-            axis[11 * 8 + j] = t28[j] + t29; /* axis(5,1) */
-            axis[12 * 8 + j] = t30[j] + l0 * (0.146484375 * cos_p[j] - 0.087890625 * cos_q[j]); /* axis(6,0) */
-            axis[13 * 8 + j] = t31[j] + l0 * (0.146484375 * sin_p[j] - 0.087890625 * sin_q[j]); /* axis(6,1) */
-            const real t33 = l0 * (0.138427734375 * cos_p[j] - 0.107666015625 * cos_q[j]);
-            axis[14 * 8 + j] = t32[j] + t33; /* axis(7,0) */
-            const real t35 = l0 * (0.138427734375 * sin_p[j] - 0.107666015625 * sin_q[j]);
-            axis[15 * 8 + j] = t34[j] + t35; /* axis(7,1) */
-            axis[16 * 8 + j] = t36[j] + 0.125 * l0 * (cos_p[j] - cos_q[j]); /* axis(8,0) */
-            axis[17 * 8 + j] = t37[j] + 0.125 * l0 * (sin_p[j] - sin_q[j]); /* axis(8,1) */
-            const real t39 = l0 * (0.107666015625 * cos_p[j] - 0.138427734375 * cos_q[j]);
-            axis[18 * 8 + j] = t38[j] + t39; /* axis(9,0) */
-            const real t41 = l0 * (0.107666015625 * sin_p[j] - 0.138427734375 * sin_q[j]);
-            axis[19 * 8 + j] = t40[j] + t41; /* axis(9,1) */
-            axis[20 * 8 + j] = t42[j] + l0 * (0.087890625 * cos_p[j] - 0.146484375 * cos_q[j]); /* axis(10,0) */
-            axis[21 * 8 + j] = t43[j] + l0 * (0.087890625 * sin_p[j] - 0.146484375 * sin_q[j]); /* axis(10,1) */
-            const real t45 = l0 * (0.067138671875 * cos_p[j] - 0.147705078125 * cos_q[j]);
-            axis[22 * 8 + j] = t44[j] + t45; /* axis(11,0) */
-            const real t47 = l0 * (0.067138671875 * sin_p[j] - 0.147705078125 * sin_q[j]);
-            axis[23 * 8 + j] = t46[j] + t47; /* axis(11,1) */
-            axis[24 * 8 + j] = t48[j] + l0 * (0.046875 * cos_p[j] - 0.140625 * cos_q[j]); /* axis(12,0) */
-            axis[25 * 8 + j] = t49[j] + l0 * (0.046875 * sin_p[j] - 0.140625 * sin_q[j]); /* axis(12,1) */
-            const real t51 = l0 * (0.028564453125 * cos_p[j] - 0.123779296875 * cos_q[j]);
-            axis[26 * 8 + j] = t50[j] + t51; /* axis(13,0) */
-            const real t53 = l0 * (0.028564453125 * sin_p[j] - 0.123779296875 * sin_q[j]);
-            axis[27 * 8 + j] = t52[j] + t53; /* axis(13,1) */
-            axis[28 * 8 + j] = t54[j] + l0 * (0.013671875 * cos_p[j] - 0.095703125 * cos_q[j]); /* axis(14,0) */
-            axis[29 * 8 + j] = t55[j] + l0 * (0.013671875 * sin_p[j] - 0.095703125 * sin_q[j]); /* axis(14,1) */
-            const real t57 = l0 * (0.003662109375 * cos_p[j] - 0.054931640625 * cos_q[j]);
-            axis[30 * 8 + j] = t56[j] + t57; /* axis(15,0) */
-            const real t59 = l0 * (0.003662109375 * sin_p[j] - 0.054931640625 * sin_q[j]);
-            axis[31 * 8 + j] = t58[j] + t59; /* axis(15,1) */
+            shear_angle[0 * 8 + j] = 0.5 * t14[j] * real_abs(l0 * t15) * t12[j];
+            const real t17 = l0 * (0.054931640625 * cos_p[j] - 0.003662109375 * cos_q[j]);
+            axis[2 * 8 + j] = t16[j] + t17; /* axis(1,0) */
+            const real t19 = l0 * (0.054931640625 * sin_p[j] - 0.003662109375 * sin_q[j]);
+            axis[3 * 8 + j] = t18[j] + t19; /* axis(1,1) */
+            axis[4 * 8 + j] = t20[j] + l0 * (0.095703125 * cos_p[j] - 0.013671875 * cos_q[j]); /* axis(2,0) */
+            axis[5 * 8 + j] = t21[j] + l0 * (0.095703125 * sin_p[j] - 0.013671875 * sin_q[j]); /* axis(2,1) */
+            const real t23 = l0 * (0.123779296875 * cos_p[j] - 0.028564453125 * cos_q[j]);
+            axis[6 * 8 + j] = t22[j] + t23; /* axis(3,0) */
+            const real t25 = l0 * (0.123779296875 * sin_p[j] - 0.028564453125 * sin_q[j]);
+            axis[7 * 8 + j] = t24[j] + t25; /* axis(3,1) */
+            axis[8 * 8 + j] = t26[j] + l0 * (0.140625 * cos_p[j] - 0.046875 * cos_q[j]); /* axis(4,0) */
+            axis[9 * 8 + j] = t27[j] + l0 * (0.140625 * sin_p[j] - 0.046875 * sin_q[j]); /* axis(4,1) */
+            const real t29 = l0 * (0.147705078125 * cos_p[j] - 0.067138671875 * cos_q[j]);
+            axis[10 * 8 + j] = t28[j] + t29; /* axis(5,0) */
+            const real t31 = l0 * (0.147705078125 * sin_p[j] - 0.067138671875 * sin_q[j]);
+            axis[11 * 8 + j] = t30[j] + t31; /* axis(5,1) */
+            axis[12 * 8 + j] = t32[j] + l0 * (0.146484375 * cos_p[j] - 0.087890625 * cos_q[j]); /* axis(6,0) */
+            axis[13 * 8 + j] = t33[j] + l0 * (0.146484375 * sin_p[j] - 0.087890625 * sin_q[j]); /* axis(6,1) */
+            const real t35 = l0 * (0.138427734375 * cos_p[j] - 0.107666015625 * cos_q[j]);
+            axis[14 * 8 + j] = t34[j] + t35; /* axis(7,0) */
+            const real t37 = l0 * (0.138427734375 * sin_p[j] - 0.107666015625 * sin_q[j]);
+            axis[15 * 8 + j] = t36[j] + t37; /* axis(7,1) */
+            axis[16 * 8 + j] = t38[j] + 0.125 * l0 * (cos_p[j] - cos_q[j]); /* axis(8,0) */
+            axis[17 * 8 + j] = t39[j] + 0.125 * l0 * (sin_p[j] - sin_q[j]); /* axis(8,1) */
+            const real t41 = l0 * (0.107666015625 * cos_p[j] - 0.138427734375 * cos_q[j]);
+            axis[18 * 8 + j] = t40[j] + t41; /* axis(9,0) */
+            const real t43 = l0 * (0.107666015625 * sin_p[j] - 0.138427734375 * sin_q[j]);
+            axis[19 * 8 + j] = t42[j] + t43; /* axis(9,1) */
+            axis[20 * 8 + j] = t44[j] + l0 * (0.087890625 * cos_p[j] - 0.146484375 * cos_q[j]); /* axis(10,0) */
+            axis[21 * 8 + j] = t45[j] + l0 * (0.087890625 * sin_p[j] - 0.146484375 * sin_q[j]); /* axis(10,1) */
+            const real t47 = l0 * (0.067138671875 * cos_p[j] - 0.147705078125 * cos_q[j]);
+            axis[22 * 8 + j] = t46[j] + t47; /* axis(11,0) */
+            const real t49 = l0 * (0.067138671875 * sin_p[j] - 0.147705078125 * sin_q[j]);
+            axis[23 * 8 + j] = t48[j] + t49; /* axis(11,1) */
+            axis[24 * 8 + j] = t50[j] + l0 * (0.046875 * cos_p[j] - 0.140625 * cos_q[j]); /* axis(12,0) */
+            axis[25 * 8 + j] = t51[j] + l0 * (0.046875 * sin_p[j] - 0.140625 * sin_q[j]); /* axis(12,1) */
+            const real t53 = l0 * (0.028564453125 * cos_p[j] - 0.123779296875 * cos_q[j]);
+            axis[26 * 8 + j] = t52[j] + t53; /* axis(13,0) */
+            const real t55 = l0 * (0.028564453125 * sin_p[j] - 0.123779296875 * sin_q[j]);
+            axis[27 * 8 + j] = t54[j] + t55; /* axis(13,1) */
+            axis[28 * 8 + j] = t56[j] + l0 * (0.013671875 * cos_p[j] - 0.095703125 * cos_q[j]); /* axis(14,0) */
+            axis[29 * 8 + j] = t57[j] + l0 * (0.013671875 * sin_p[j] - 0.095703125 * sin_q[j]); /* axis(14,1) */
+            const real t59 = l0 * (0.003662109375 * cos_p[j] - 0.054931640625 * cos_q[j]);
+            axis[30 * 8 + j] = t58[j] + t59; /* axis(15,0) */
+            const real t61 = l0 * (0.003662109375 * sin_p[j] - 0.054931640625 * sin_q[j]);
+            axis[31 * 8 + j] = t60[j] + t61; /* axis(15,1) */
             across[0 * 8 + j] = -sin_p[j]; /* across(0,0) */
             across[2 * 8 + j] = -sin_q[j]; /* across(1,0) */
         }
@@ -1343,7 +1350,7 @@ static void planar_beam_first_order_outputs(size_t nblocks, const real *const *i
 
 const flexel_element flexel_planar_beam_first_order = {
     .name = "planar_beam_first_order",
-    .digest = "1c674b16c3cb596f",
+    .digest = "d9074a77bce09529",
     .n = 6,
     .m = 3,
     .k = 0,

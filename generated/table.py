@@ -571,8 +571,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element beam
     "beam": ElementSpec(
         name="beam",
-        digest="55ad30541a85541d",
-        doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nd = xq - xp, l = |d|, el = d/l\nb1 = l - l0                 b2 = l0 (ez_p.ey_q - ey_p.ez_q)/2\nb3 = -l0 ez_p.el            b4 = l0 ez_q.el\nb5 = l0 ey_p.el             b6 = -l0 ey_q.el\nelongation = b1 + (2 b3^2 + b3 b4 + 2 b4^2 + 2 b5^2 + b5 b6 + 2 b6^2)/(30 l0)\ntorsion = b2 + (b4 b5 - b3 b6)/l0\nbend1, bend2 = b3 + k, b4 - k with k = b2 (b5 + b6)/(6 l0)\nbend3, bend4 = b5 - h, b6 + h with h = b2 (b3 + b4)/(6 l0)\nphi_y = 12 EIz/(GAy l0^2), phi_z = 12 EIy/(GAz l0^2): shear numbers of the deflections in y and z\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_y, phi_z) cubic shapes, torsion linear; w_p, w_q angular velocities in the triads\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)\nf = De'sigma: force_p, moment_p = -(R(u_p)'f_xp, L(u_p) (f_lambda_p o tp)/2), force_q, moment_q the same at q, without\n   the minus\naxis: places on the cubic axis; across: ey_p, ey_q\nshear_angle = |(phi_z/(1 + phi_z) (bend1 - bend2), phi_y/(1 + phi_y) (bend3 - bend4))|/(2 l0)",
+        digest="5f7f99a57ab8bc5d",
+        doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nd = xq - xp, l = |d|, el = d/l\nb1 = l - l0                 b2 = l0 (ez_p.ey_q - ey_p.ez_q)/2\nb3 = -l0 ez_p.el            b4 = l0 ez_q.el\nb5 = l0 ey_p.el             b6 = -l0 ey_q.el\nelongation = b1 + (2 b3^2 + b3 b4 + 2 b4^2 + 2 b5^2 + b5 b6 + 2 b6^2)/(30 l0)\ntorsion = b2 + (b4 b5 - b3 b6)/l0\nbend1, bend2 = b3 + k, b4 - k with k = b2 (b5 + b6)/(6 l0)\nbend3, bend4 = b5 - h, b6 + h with h = b2 (b3 + b4)/(6 l0)\nphi_y = 12 EIz/(GAy l0^2), phi_z = 12 EIy/(GAz l0^2): shear numbers of the deflections in y and z\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_y, phi_z) cubic shapes, torsion linear; w_p, w_q angular velocities in the triads\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)\nf = De'sigma: force_p, moment_p = -(R(u_p)'f_xp, L(u_p) (f_lambda_p o tp)/2), force_q, moment_q the same at q, without\n   the minus\naxis: places on the cubic axis; across: ey_p, ey_q\nshear_angle = |(phi_z/(1 + phi_z) (bend1 - bend2), phi_y/(1 + phi_y) (bend3 - bend4))|/(2 l0)\nturn_cosines = ex_p.el, ex_q.el, (ey_p.ey_q + ez_p.ez_q)/2",
         source="Meijaard 1996, Nonlinear Dyn. 9; Jonker and Meijaard 2013, Int. J. Non-Linear Mech. 53; Przemieniecki 1968 (mass with rotary inertia)",
         nodes=(
             NodeSpec("p", "point"),
@@ -667,10 +667,11 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("force_q", (3,), (0, 1, 2), unit="N"),
                     OutputSpec("moment_q", (3,), (0, 1, 2), unit="N m"),
                     OutputSpec("shear_angle", (1,), (0,), unit="rad"),
+                    OutputSpec("turn_cosines", (3,), (0, 1, 2), unit="1"),
                     OutputSpec("axis", (17, 3), tuple(range(51)), unit="m", draws="beam"),
                     OutputSpec("across", (2, 3), tuple(range(6)), unit="1"),
                 ),
-                979,
+                1006,
             ),
         },
         family="beam",
@@ -680,8 +681,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element beam_first_order
     "beam_first_order": ElementSpec(
         name="beam_first_order",
-        digest="3dd6337dec1e1649",
-        doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nd = xq - xp, l = |d|, el = d/l\nb1 = l - l0                 b2 = l0 (ez_p.ey_q - ey_p.ez_q)/2\nb3 = -l0 ez_p.el            b4 = l0 ez_q.el\nb5 = l0 ey_p.el             b6 = -l0 ey_q.el\nelongation, torsion, bend1, bend2, bend3, bend4 = b1, b2, b3, b4, b5, b6\nphi_y = 12 EIz/(GAy l0^2), phi_z = 12 EIy/(GAz l0^2): shear numbers of the deflections in y and z\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_y, phi_z) cubic shapes, torsion linear; w_p, w_q angular velocities in the triads\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)\nf = De'sigma: force_p, moment_p = -(R(u_p)'f_xp, L(u_p) (f_lambda_p o tp)/2), force_q, moment_q the same at q, without\n   the minus\naxis: places on the cubic axis; across: ey_p, ey_q\nshear_angle = |(phi_z/(1 + phi_z) (bend1 - bend2), phi_y/(1 + phi_y) (bend3 - bend4))|/(2 l0)",
+        digest="8598a496921a54a5",
+        doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nd = xq - xp, l = |d|, el = d/l\nb1 = l - l0                 b2 = l0 (ez_p.ey_q - ey_p.ez_q)/2\nb3 = -l0 ez_p.el            b4 = l0 ez_q.el\nb5 = l0 ey_p.el             b6 = -l0 ey_q.el\nelongation, torsion, bend1, bend2, bend3, bend4 = b1, b2, b3, b4, b5, b6\nphi_y = 12 EIz/(GAy l0^2), phi_z = 12 EIy/(GAz l0^2): shear numbers of the deflections in y and z\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_y, phi_z) cubic shapes, torsion linear; w_p, w_q angular velocities in the triads\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)\nf = De'sigma: force_p, moment_p = -(R(u_p)'f_xp, L(u_p) (f_lambda_p o tp)/2), force_q, moment_q the same at q, without\n   the minus\naxis: places on the cubic axis; across: ey_p, ey_q\nshear_angle = |(phi_z/(1 + phi_z) (bend1 - bend2), phi_y/(1 + phi_y) (bend3 - bend4))|/(2 l0)\nturn_cosines = ex_p.el, ex_q.el, (ey_p.ey_q + ez_p.ez_q)/2",
         source="Meijaard 1996, Nonlinear Dyn. 9; Jonker and Meijaard 2013, Int. J. Non-Linear Mech. 53; Przemieniecki 1968 (mass with rotary inertia)",
         nodes=(
             NodeSpec("p", "point"),
@@ -776,10 +777,11 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("force_q", (3,), (0, 1, 2), unit="N"),
                     OutputSpec("moment_q", (3,), (0, 1, 2), unit="N m"),
                     OutputSpec("shear_angle", (1,), (0,), unit="rad"),
+                    OutputSpec("turn_cosines", (3,), (0, 1, 2), unit="1"),
                     OutputSpec("axis", (17, 3), tuple(range(51)), unit="m", draws="beam"),
                     OutputSpec("across", (2, 3), tuple(range(6)), unit="1"),
                 ),
-                881,
+                908,
             ),
         },
         family="beam",
@@ -789,8 +791,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element beam_warping
     "beam_warping": ElementSpec(
         name="beam_warping",
-        digest="5a1cd782ba5dc7c6",
-        doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nd = xq - xp, l = |d|, el = d/l\nb1 = l - l0                 b2 = l0 (ez_p.ey_q - ey_p.ez_q)/2\nb3 = -l0 ez_p.el            b4 = l0 ez_q.el\nb5 = l0 ey_p.el             b6 = -l0 ey_q.el\nphi_y = 12 EIz/(GAy l0^2), phi_z = 12 EIy/(GAz l0^2): shear numbers of the deflections in y and z\npolar = (EIy + EIz)/EA: square of the polar radius of gyration of the section\nb7 = l0^2 wp - b2           b8 = l0^2 wq - b2           (wp, wq: twist per length at the ends)\nelongation = b1 + (2 b3^2 + b3 b4 + 2 b4^2 + 2 b5^2 + b5 b6 + 2 b6^2)/(30 l0)\n             + polar/(2 l0^3) (b2^2 + (2 b7^2 - b7 b8 + 2 b8^2)/15)\ntorsion = b2 + (b4 b5 - b3 b6)/l0\nbend1 = b3 + k + (3 b5 b7 - (b5 + b6) b8)/(30 l0)    with k = b2 (b5 + b6)/(6 l0)\nbend2 = b4 - k + ((b5 + b6) b7 - 3 b6 b8)/(30 l0)\nbend3 = b5 - h - (3 b3 b7 - (b3 + b4) b8)/(30 l0)    with h = b2 (b3 + b4)/(6 l0)\nbend4 = b6 + h - ((b3 + b4) b7 - 3 b4 b8)/(30 l0)\nwarp1 = l0^2 wp - torsion   warp2 = l0^2 wq - torsion: zero in uniform torsion\nthe angle of twist is cubic with the ends' twist per length; the strain energy of torsion, from the beam's laws, is\n    GJ/(2 l0^3) (torsion^2 + (2 warp1^2 - warp1 warp2 + 2 warp2^2)/15)\n    + 2 E Iw/l0^5 (warp1^2 + warp1 warp2 + warp2^2)\nT: as the beam, its twist cubic with the rates of wp, wq, plus rhoIw/2 times the integral of the square of the\n   rate of twist per length\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)\nf = De'sigma: force_p, moment_p = -(R(u_p)'f_xp, L(u_p) (f_lambda_p o tp)/2), force_q, moment_q the same at q, without\n   the minus\naxis: places on the cubic axis; across: ey_p, ey_q\nbimoment_p = -f_wp, bimoment_q = f_wq\nshear_angle = |(phi_z/(1 + phi_z) (bend1 - bend2), phi_y/(1 + phi_y) (bend3 - bend4))|/(2 l0)",
+        digest="5d515e6c0608ec44",
+        doc="triads ex, ey, ez: columns of R(u_p), u_p = lambda_p o tp, and R(u_q), u_q = lambda_q o tq\nd = xq - xp, l = |d|, el = d/l\nb1 = l - l0                 b2 = l0 (ez_p.ey_q - ey_p.ez_q)/2\nb3 = -l0 ez_p.el            b4 = l0 ez_q.el\nb5 = l0 ey_p.el             b6 = -l0 ey_q.el\nphi_y = 12 EIz/(GAy l0^2), phi_z = 12 EIy/(GAz l0^2): shear numbers of the deflections in y and z\npolar = (EIy + EIz)/EA: square of the polar radius of gyration of the section\nb7 = l0^2 wp - b2           b8 = l0^2 wq - b2           (wp, wq: twist per length at the ends)\nelongation = b1 + (2 b3^2 + b3 b4 + 2 b4^2 + 2 b5^2 + b5 b6 + 2 b6^2)/(30 l0)\n             + polar/(2 l0^3) (b2^2 + (2 b7^2 - b7 b8 + 2 b8^2)/15)\ntorsion = b2 + (b4 b5 - b3 b6)/l0\nbend1 = b3 + k + (3 b5 b7 - (b5 + b6) b8)/(30 l0)    with k = b2 (b5 + b6)/(6 l0)\nbend2 = b4 - k + ((b5 + b6) b7 - 3 b6 b8)/(30 l0)\nbend3 = b5 - h - (3 b3 b7 - (b3 + b4) b8)/(30 l0)    with h = b2 (b3 + b4)/(6 l0)\nbend4 = b6 + h - ((b3 + b4) b7 - 3 b4 b8)/(30 l0)\nwarp1 = l0^2 wp - torsion   warp2 = l0^2 wq - torsion: zero in uniform torsion\nthe angle of twist is cubic with the ends' twist per length; the strain energy of torsion, from the beam's laws, is\n    GJ/(2 l0^3) (torsion^2 + (2 warp1^2 - warp1 warp2 + 2 warp2^2)/15)\n    + 2 E Iw/l0^5 (warp1^2 + warp1 warp2 + warp2^2)\nT: as the beam, its twist cubic with the rates of wp, wq, plus rhoIw/2 times the integral of the square of the\n   rate of twist per length\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)\nf = De'sigma: force_p, moment_p = -(R(u_p)'f_xp, L(u_p) (f_lambda_p o tp)/2), force_q, moment_q the same at q, without\n   the minus\naxis: places on the cubic axis; across: ey_p, ey_q\nbimoment_p = -f_wp, bimoment_q = f_wq\nshear_angle = |(phi_z/(1 + phi_z) (bend1 - bend2), phi_y/(1 + phi_y) (bend3 - bend4))|/(2 l0)\nturn_cosines = ex_p.el, ex_q.el, (ey_p.ey_q + ez_p.ez_q)/2",
         source="Vlasov 1961, Thin-walled elastic beams; Wagner 1929 (twist and axial force); Jonker 2021 (warping coordinates)",
         nodes=(
             NodeSpec("p", "point"),
@@ -893,10 +895,11 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("moment_q", (3,), (0, 1, 2), unit="N m"),
                     OutputSpec("bimoment_q", (1,), (0,), unit="N m^2"),
                     OutputSpec("shear_angle", (1,), (0,), unit="rad"),
+                    OutputSpec("turn_cosines", (3,), (0, 1, 2), unit="1"),
                     OutputSpec("axis", (17, 3), tuple(range(51)), unit="m", draws="beam"),
                     OutputSpec("across", (2, 3), tuple(range(6)), unit="1"),
                 ),
-                1072,
+                1099,
             ),
         },
         family="beam",
@@ -2274,8 +2277,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_beam
     "planar_beam": ElementSpec(
         name="planar_beam",
-        digest="31b48c0de02e2d9e",
-        doc="ex, ey: directions of the element at p (angle_p + alpha0) and q (angle_q + alphaq0)\nd = xq - xp, l = |d|, el = d/l;  b1 = l - l0,  b5 = l0 ey_p.el,  b6 = -l0 ey_q.el\nelongation = b1 + (2 b5^2 + b5 b6 + 2 b6^2)/(30 l0),  bend1 = b5,  bend2 = b6\nphi_y = 12 EIz/(GAy l0^2): shear number\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_y) cubic shapes\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)\nf = De'sigma: force_p, moment_p = -(ex_p.f_xp, ey_p.f_xp), -f_angle_p; force_q, moment_q the same at q, without minus\naxis: places on the cubic axis; across: ey_p, ey_q\nshear_angle = |phi_y/(1 + phi_y) (bend1 - bend2)|/(2 l0)",
+        digest="9b209942b87a1ecb",
+        doc="ex, ey: directions of the element at p (angle_p + alpha0) and q (angle_q + alphaq0)\nd = xq - xp, l = |d|, el = d/l;  b1 = l - l0,  b5 = l0 ey_p.el,  b6 = -l0 ey_q.el\nelongation = b1 + (2 b5^2 + b5 b6 + 2 b6^2)/(30 l0),  bend1 = b5,  bend2 = b6\nphi_y = 12 EIz/(GAy l0^2): shear number\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_y) cubic shapes\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)\nf = De'sigma: force_p, moment_p = -(ex_p.f_xp, ey_p.f_xp), -f_angle_p; force_q, moment_q the same at q, without minus\naxis: places on the cubic axis; across: ey_p, ey_q\nshear_angle = |phi_y/(1 + phi_y) (bend1 - bend2)|/(2 l0)\nturn_cosines = ex_p.el, ex_q.el",
         source="SPACAR95 manual (Schwab and Meijaard 2000), PLBEAM, PLBEAMNL; signs of the spatial beam's b5, b6; Meijaard 1996, Nonlinear Dyn. 9",
         nodes=(
             NodeSpec("p", "planar_point"),
@@ -2365,6 +2368,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("force_q", (2,), (0, 1), unit="N"),
                     OutputSpec("moment_q", (1,), (0,), unit="N m"),
                     OutputSpec("shear_angle", (1,), (0,), unit="rad"),
+                    OutputSpec("turn_cosines", (2,), (0, 1), unit="1"),
                     OutputSpec("axis", (17, 2), tuple(range(34)), unit="m", draws="beam"),
                     OutputSpec("across", (2, 2), (0, 1, 2, 3), unit="1"),
                 ),
@@ -2378,8 +2382,8 @@ ELEMENTS: dict[str, ElementSpec] = {
     # element planar_beam_first_order
     "planar_beam_first_order": ElementSpec(
         name="planar_beam_first_order",
-        digest="1c674b16c3cb596f",
-        doc="ex, ey: directions of the element at p (angle_p + alpha0) and q (angle_q + alphaq0)\nd = xq - xp, l = |d|, el = d/l;  b1 = l - l0,  b5 = l0 ey_p.el,  b6 = -l0 ey_q.el\nelongation = b1,  bend1 = b5,  bend2 = b6\nphi_y = 12 EIz/(GAy l0^2): shear number\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_y) cubic shapes\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)\nf = De'sigma: force_p, moment_p = -(ex_p.f_xp, ey_p.f_xp), -f_angle_p; force_q, moment_q the same at q, without minus\naxis: places on the cubic axis; across: ey_p, ey_q\nshear_angle = |phi_y/(1 + phi_y) (bend1 - bend2)|/(2 l0)",
+        digest="d9074a77bce09529",
+        doc="ex, ey: directions of the element at p (angle_p + alpha0) and q (angle_q + alphaq0)\nd = xq - xp, l = |d|, el = d/l;  b1 = l - l0,  b5 = l0 ey_p.el,  b6 = -l0 ey_q.el\nelongation = b1,  bend1 = b5,  bend2 = b6\nphi_y = 12 EIz/(GAy l0^2): shear number\nT: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with\n   the shear-corrected (phi_y) cubic shapes\nU = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)\nf = De'sigma: force_p, moment_p = -(ex_p.f_xp, ey_p.f_xp), -f_angle_p; force_q, moment_q the same at q, without minus\naxis: places on the cubic axis; across: ey_p, ey_q\nshear_angle = |phi_y/(1 + phi_y) (bend1 - bend2)|/(2 l0)\nturn_cosines = ex_p.el, ex_q.el",
         source="SPACAR95 manual (Schwab and Meijaard 2000), PLBEAM, PLBEAMNL; signs of the spatial beam's b5, b6; Meijaard 1996, Nonlinear Dyn. 9",
         nodes=(
             NodeSpec("p", "planar_point"),
@@ -2469,6 +2473,7 @@ ELEMENTS: dict[str, ElementSpec] = {
                     OutputSpec("force_q", (2,), (0, 1), unit="N"),
                     OutputSpec("moment_q", (1,), (0,), unit="N m"),
                     OutputSpec("shear_angle", (1,), (0,), unit="rad"),
+                    OutputSpec("turn_cosines", (2,), (0, 1), unit="1"),
                     OutputSpec("axis", (17, 2), tuple(range(34)), unit="m", draws="beam"),
                     OutputSpec("across", (2, 2), (0, 1, 2, 3), unit="1"),
                 ),
