@@ -220,7 +220,9 @@ def add_formula(
     to.quantity_kind(places[0], owner)  # before a formula is compiled for it
     found = formula_law(owner, stress, energy, ranges)
     label = label or _label(to, on)
-    to.law(owner, found.law.spec, places, found.parameters, code=found.law.code, label=label, knots=found.knots)
+    to.law(
+        owner, found.law.spec, places, found.parameters, code=found.law.code, label=label, knots=found.knots
+    )
 
 
 def _is_compiled(law: object) -> bool:

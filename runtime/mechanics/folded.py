@@ -26,7 +26,7 @@ class Folded:
     Attributes
     ----------
     angle : float
-        Its turn [°].
+        The turns of its ends against the line between them, together; or its twist [°].
     text : str
         What to say about it, and about others.
     """
@@ -58,15 +58,14 @@ def folded(
     for same in types.values():
         cosines = element_outputs(structure, same, x, e, stresses)[OUTPUT][0].reshape(len(same), -1)
         for i in np.flatnonzero(cosines.min(axis=1) < 0):
-            angles = np.degrees(np.arccos(np.clip(cosines[i], -1, 1)))
-            found.append((float(max(angles[:2].sum(), *angles[2:])), same[i].name))
+            ends, twist = np.split(np.degrees(np.arccos(np.clip(cosines[i], -1, 1))), [2])
+            found.append((float(max([ends.sum(), *twist])), same[i].name))
     if not found:
         return None
     angle, name = max(found)
     others = f" (and {len(found) - 1} more)" if len(found) > 1 else ""
     return Folded(
         angle,
-        f"'{name}' is folded back{others}: its ends are turned by {angle:.0f}° relative to one another, which its "
-        f"deformations do not tell; this is no state of the structure: use {int(np.ceil(angle / allowed))} elements in "
-        "place of each",
+        f"'{name}' is folded back{others}, by {angle:.0f}°, which its deformations do not tell: this is no state of the "
+        f"structure; use {int(np.ceil(angle / allowed))} elements in place of each",
     )

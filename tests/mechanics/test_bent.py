@@ -66,7 +66,7 @@ def test_a_column_that_folds_within_an_element_is_named() -> None:
     """Twelve times the buckling load of Euler's column: the path of eight elements is not that of the rod."""
     m = cantilever(8)
     m.load("P8", (lambda t: -12 * t * EI * (np.pi / 2 / LENGTH) ** 2, lambda t: 0.01 * t))
-    with pytest.warns(RangeWarning, match=r"static_path: 'b\d' is bent by .* more by more than 15°"):
+    with pytest.warns(RangeWarning, match=r"static_path: 'b\d' is folded back, by \d+°.*use \d+ elements"):
         m.build().static_path(t_end=1.0)
 
 

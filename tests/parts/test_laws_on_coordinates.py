@@ -46,7 +46,8 @@ def test_a_formula_on_a_coordinate_is_the_spring() -> None:
     by_formula, by_spring = foot(), foot()
     by_formula.law("foot.y", lambda e, ed: 500 * e + 3 * ed)
     by_spring.spring("foot.y", 500.0, damping=3.0)
-    found, reference = (m.build().linearize() for m in (by_formula, by_spring))
+    systems = [m.build() for m in (by_formula, by_spring)]
+    found, reference = (system.linearize(system.equilibrium()) for system in systems)
     assert found.eigenvalues() == pytest.approx(reference.eigenvalues(), rel=1e-12)
     assert lifted(by_formula).acceleration("foot.y") == pytest.approx(-9.81 - 500 * 0.01 / 2, rel=1e-12)
 
