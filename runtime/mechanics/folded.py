@@ -1,7 +1,7 @@
 """Finds beams that are folded back: turned by more than a right angle, which the sine of the angle does not tell.
 
-Their deformations are those of a beam that is turned by the supplement of the angle, or straight: an equilibrium of such
-beams is none of the structure.
+Their deformations are those of a beam that is turned by the supplement of the angle, or straight: an equilibrium of
+such beams is none of the structure.
 """
 
 from __future__ import annotations
@@ -66,6 +66,6 @@ def folded(
     others = f" (and {len(found) - 1} more)" if len(found) > 1 else ""
     return Folded(
         angle,
-        f"'{name}' is folded back{others}, by {angle:.0f}°, which its deformations do not tell: this is no state of the "
-        f"structure; use {int(np.ceil(angle / allowed))} elements in place of each",
+        f"'{name}' is folded back{others}, by {angle:.0f}°, which its deformations do not tell: this is no state of "
+        f"the structure; use {int(np.ceil(angle / allowed))} elements in place of each",
     )
