@@ -34,7 +34,7 @@ def test_an_equilibrium_with_a_folded_element_is_named(elements: int, factor: fl
 
 
 def end_of_rod(P: float) -> float:
-    """Of the extensible elastica: EI theta'' = -P (1 + strain) sin theta, strain = -P cos theta/EA; from its free end."""
+    """Of the extensible elastica: EI theta'' = -P (1 + strain) sin theta, from its free end."""
 
     def clamped(end: float) -> tuple[float, float]:
         """Return the angle at the clamp, and the distance of the end from it, for an angle at the end."""
