@@ -26,6 +26,7 @@ if TYPE_CHECKING:
         Point,
         Slip,
         Slope,
+        ValidRange,
         symbol,
     )
 
@@ -47,6 +48,7 @@ __all__ = [
     "Point",
     "Slip",
     "Slope",
+    "ValidRange",
     "symbol",
 ]
 

@@ -96,6 +96,7 @@ class OutputSpec:
 
     unit, draws, carrier: of the kernel "outputs", the unit of all entries, what a picture draws of it, and the names of
     the outputs, origin and axes, of the frame in whose axes it is.
+    limit, beyond: of a range in which the element is valid, the largest first entry, and what is said beyond it.
     """
 
     name: str
@@ -104,6 +105,8 @@ class OutputSpec:
     unit: str = ""
     draws: str = ""
     carrier: tuple[str, ...] = ()
+    limit: float = 0.0
+    beyond: str = ""
 
 
 @dataclass(frozen=True)

@@ -18,7 +18,9 @@
  *    the minus
  * axis: places on the cubic axis; across: ey_p, ey_q
  * shear_angle = |(phi_z/(1 + phi_z) (bend1 - bend2), phi_y/(1 + phi_y) (bend3 - bend4))|/(2 l0)
- * turn_cosines = ex_p.el, ex_q.el, (ey_p.ey_q + ez_p.ez_q)/2
+ * ranges [degrees, %]: bend = angle(ex_p, el) + angle(ex_q, el), 1 - sin(bend)/bend; twist = angle with the sine
+ *    (ez_p.ey_q - ey_p.ez_q)/2 and the cosine (ey_p.ey_q + ez_p.ez_q)/2, 1 - sin(2 twist)/(2 twist);
+ *    shear_angle, sin(shear_angle)^2
  *
  * Source: Meijaard 1996, Nonlinear Dyn. 9; Jonker and Meijaard 2013, Int. J. Non-Linear Mech. 53; Przemieniecki 1968
  *   (mass with rotary inertia)
@@ -7161,10 +7163,10 @@ static void beam_tangent(size_t nblocks, const real *const *in, real *const *out
     }
 }
 
-/* outputs: 1006 operations.
+/* outputs: 1075 operations.
  * in:  x (14), sigma (6), tau (0), p (20)
- * out: force_p (3), moment_p (3), force_q (3), moment_q (3), shear_angle (1), turn_cosines (3), axis (17,3), across
- *   (2,3) */
+ * out: force_p (3), moment_p (3), force_q (3), moment_q (3), shear_angle (1), bend_range (2), twist_range (2),
+ *   shear_range (2), axis (17,3), across (2,3) */
 FLEXEL_CLONES
 static void beam_outputs(size_t nblocks, const real *const *in, real *const *out)
 {
@@ -7177,9 +7179,13 @@ static void beam_outputs(size_t nblocks, const real *const *in, real *const *out
         real *restrict force_q = out[2] + b * (3 * 8);
         real *restrict moment_q = out[3] + b * (3 * 8);
         real *restrict shear_angle = out[4] + b * (1 * 8);
-        real *restrict turn_cosines = out[5] + b * (3 * 8);
-        real *restrict axis = out[6] + b * (51 * 8);
-        real *restrict across = out[7] + b * (6 * 8);
+        real *restrict bend_range = out[5] + b * (2 * 8);
+        real *restrict twist_range = out[6] + b * (2 * 8);
+        real *restrict shear_range = out[7] + b * (2 * 8);
+        real *restrict axis = out[8] + b * (51 * 8);
+        real *restrict across = out[9] + b * (6 * 8);
+        real t122[8], t129[8], t130[8], t131[8], t138[8], t139[8], t140[8], t141[8], t142[8], t143[8], t144[8],
+            t145[8], t146[8], t147[8], t148[8], t149[8], t150[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real rp_l0 = x[3 * 8 + j];
@@ -7192,11 +7198,11 @@ static void beam_outputs(size_t nblocks, const real *const *in, real *const *out
             const real tp_3 = p[4 * 8 + j];
             const real u_p_0 = rp_l0 * tp_0 - rp_l1 * tp_1 - rp_l2 * tp_2 - rp_l3 * tp_3;
             const real t0 = u_p_0 * u_p_0;
-            const real u_p_1 = rp_l0 * tp_1 + rp_l1 * tp_0 + rp_l2 * tp_3 - rp_l3 * tp_2;
+            const real u_p_1 = rp_l0 * tp_1 + rp_l2 * tp_3 + rp_l1 * tp_0 - rp_l3 * tp_2;
             const real t1 = u_p_1 * u_p_1;
-            const real u_p_2 = rp_l0 * tp_2 + rp_l2 * tp_0 + rp_l3 * tp_1 - rp_l1 * tp_3;
+            const real u_p_2 = rp_l0 * tp_2 + rp_l3 * tp_1 + rp_l2 * tp_0 - rp_l1 * tp_3;
             const real t2 = u_p_2 * u_p_2;
-            const real u_p_3 = rp_l0 * tp_3 + rp_l1 * tp_2 + rp_l3 * tp_0 - rp_l2 * tp_1;
+            const real u_p_3 = rp_l0 * tp_3 + rp_l3 * tp_0 + rp_l1 * tp_2 - rp_l2 * tp_1;
             const real t3 = u_p_3 * u_p_3;
             const real ex_p_x = t0 + t1 - t2 - t3;
             const real q_x = x[7 * 8 + j];
@@ -7204,18 +7210,36 @@ static void beam_outputs(size_t nblocks, const real *const *in, real *const *out
             const real p_x = x[0 * 8 + j];
             axis[0 * 8 + j] = p_x; /* axis(0,0) */
             const real d_x = q_x - p_x;
-            const real q_z = x[9 * 8 + j];
-            axis[50 * 8 + j] = q_z; /* axis(16,2) */
-            const real p_z = x[2 * 8 + j];
-            axis[2 * 8 + j] = p_z; /* axis(0,2) */
-            const real d_z = q_z - p_z;
             const real q_y = x[8 * 8 + j];
             axis[49 * 8 + j] = q_y; /* axis(16,1) */
             const real p_y = x[1 * 8 + j];
             axis[1 * 8 + j] = p_y; /* axis(0,1) */
             const real d_y = q_y - p_y;
-            const real l = real_sqrt(d_x * d_x + d_y * d_y + d_z * d_z);
+            const real q_z = x[9 * 8 + j];
+            axis[50 * 8 + j] = q_z; /* axis(16,2) */
+            const real p_z = x[2 * 8 + j];
+            axis[2 * 8 + j] = p_z; /* axis(0,2) */
+            const real d_z = q_z - p_z;
+            const real l = real_sqrt(d_x * d_x + d_z * d_z + d_y * d_y);
             const real t4 = 1.0 / l;
+            const real t5 = u_p_0 * u_p_2;
+            const real t6 = u_p_1 * u_p_3;
+            const real t7 = t5 + t6;
+            const real ez_p_z = t0 + t3 - t1 - t2;
+            const real el_z = d_z * t4;
+            const real el_x = d_x * t4;
+            const real t8 = u_p_2 * u_p_3;
+            const real t9 = u_p_0 * u_p_1;
+            const real t10 = t8 - t9;
+            const real el_y = d_y * t4;
+            const real t11 = ez_p_z * el_z + 2.0 * (t7 * el_x + t10 * el_y);
+            const real l0 = p[0 * 8 + j];
+            const real t12 = l0 * t11;
+            const real t13 = 1.0 / l0;
+            const real sigma_elongation = sigma[0 * 8 + j];
+            const real t14 = t13 * sigma_elongation;
+            const real t15 = t12 * t14;
+            const real sigma_bend1 = sigma[2 * 8 + j];
             const real rq_l0 = x[10 * 8 + j];
             const real tq_0 = p[5 * 8 + j];
             const real rq_l1 = x[11 * 8 + j];
@@ -7225,273 +7249,303 @@ static void beam_outputs(size_t nblocks, const real *const *in, real *const *out
             const real rq_l3 = x[13 * 8 + j];
             const real tq_3 = p[8 * 8 + j];
             const real u_q_0 = rq_l0 * tq_0 - rq_l1 * tq_1 - rq_l2 * tq_2 - rq_l3 * tq_3;
-            const real t5 = u_q_0 * u_q_0;
-            const real u_q_2 = rq_l0 * tq_2 + rq_l2 * tq_0 + rq_l3 * tq_1 - rq_l1 * tq_3;
-            const real t6 = u_q_2 * u_q_2;
-            const real u_q_1 = rq_l0 * tq_1 + rq_l1 * tq_0 + rq_l2 * tq_3 - rq_l3 * tq_2;
-            const real t7 = u_q_1 * u_q_1;
-            const real u_q_3 = rq_l0 * tq_3 + rq_l1 * tq_2 + rq_l3 * tq_0 - rq_l2 * tq_1;
-            const real t8 = u_q_3 * u_q_3;
-            const real ey_q_y = t5 + t6 - t7 - t8;
+            const real t16 = u_q_0 * u_q_0;
+            const real u_q_2 = rq_l0 * tq_2 + rq_l3 * tq_1 + rq_l2 * tq_0 - rq_l1 * tq_3;
+            const real t17 = u_q_2 * u_q_2;
+            const real u_q_1 = rq_l0 * tq_1 + rq_l2 * tq_3 + rq_l1 * tq_0 - rq_l3 * tq_2;
+            const real t18 = u_q_1 * u_q_1;
+            const real u_q_3 = rq_l0 * tq_3 + rq_l3 * tq_0 + rq_l1 * tq_2 - rq_l2 * tq_1;
+            const real t19 = u_q_3 * u_q_3;
+            const real ey_q_y = t16 + t17 - t18 - t19;
             across[4 * 8 + j] = ey_q_y; /* across(1,1) */
-            const real el_y = d_y * t4;
-            const real t9 = u_q_1 * u_q_2;
-            const real t10 = u_q_0 * u_q_3;
-            const real t11 = t9 - t10;
-            const real el_x = d_x * t4;
-            const real t12 = u_q_0 * u_q_1;
-            const real t13 = u_q_2 * u_q_3;
-            const real t14 = t12 + t13;
-            const real el_z = d_z * t4;
-            const real t15 = ey_q_y * el_y + 2.0 * (t11 * el_x + t14 * el_z);
-            const real l0 = p[0 * 8 + j];
-            const real t16 = l0 * t15;
-            const real t17 = 1.0 / l0;
-            const real sigma_elongation = sigma[0 * 8 + j];
-            const real t18 = t17 * sigma_elongation;
-            const real t19 = t16 * t18;
-            const real sigma_bend4 = sigma[5 * 8 + j];
-            const real ez_p_z = t0 + t3 - t1 - t2;
-            const real t20 = u_p_0 * u_p_2;
-            const real t21 = u_p_1 * u_p_3;
-            const real t22 = t20 + t21;
-            const real t23 = u_p_2 * u_p_3;
-            const real t24 = u_p_0 * u_p_1;
-            const real t25 = t23 - t24;
-            const real t26 = ez_p_z * el_z + 2.0 * (t22 * el_x + t25 * el_y);
+            const real t20 = u_q_1 * u_q_2;
+            const real t21 = u_q_0 * u_q_3;
+            const real t22 = t20 - t21;
+            const real t23 = u_q_0 * u_q_1;
+            const real t24 = u_q_2 * u_q_3;
+            const real t25 = t23 + t24;
+            const real t26 = ey_q_y * el_y + 2.0 * (t22 * el_x + t25 * el_z);
             const real t27 = l0 * t26;
             const real sigma_torsion = sigma[1 * 8 + j];
-            const real t28 = t17 * sigma_torsion;
+            const real t28 = t13 * sigma_torsion;
+            const real ez_q_z = t16 + t19 - t18 - t17;
+            const real t29 = u_q_0 * u_q_2;
+            const real t30 = u_q_1 * u_q_3;
+            const real t31 = t29 + t30;
+            const real t32 = t24 - t23;
+            const real t33 = ez_q_z * el_z + 2.0 * (t31 * el_x + t32 * el_y);
+            const real b4 = l0 * t33;
+            const real t34 = b4 * t14;
+            const real t35 = 0.13333333333333333 * t15 - sigma_bend1 - t27 * t28 - 0.03333333333333333 * t34;
+            const real sigma_bend4 = sigma[5 * 8 + j];
+            const real sigma_bend3 = sigma[4 * 8 + j];
+            const real t36 = t13 * (sigma_bend4 - sigma_bend3);
+            const real t37 = u_p_1 * u_p_2;
+            const real t38 = u_p_0 * u_p_3;
+            const real t39 = t37 - t38;
+            const real t40 = t7 * t22 - t39 * t31;
+            const real t41 = t10 * ey_q_y;
+            const real t42 = ez_p_z * t25;
             const real ey_p_y = t0 + t2 - t1 - t3;
             across[1 * 8 + j] = ey_p_y; /* across(0,1) */
-            const real t29 = u_p_1 * u_p_2;
-            const real t30 = u_p_0 * u_p_3;
-            const real t31 = t29 - t30;
-            const real t32 = t24 + t23;
-            const real t33 = ey_p_y * el_y + 2.0 * (t31 * el_x + t32 * el_z);
-            const real b5 = l0 * t33;
-            const real t34 = b5 * t18;
-            const real t35 = 0.13333333333333333 * t19 - sigma_bend4 - t27 * t28 - 0.03333333333333333 * t34;
-            const real t36 = u_q_0 * u_q_2;
-            const real t37 = u_q_1 * u_q_3;
-            const real t38 = t36 + t37;
-            const real t39 = t13 - t12;
-            const real ez_q_z = t5 + t8 - t7 - t6;
-            const real t40 = t25 * ey_q_y + ez_p_z * t14 - ey_p_y * t39 - t32 * ez_q_z;
-            const real t41 = l0 * (4.0 * (t22 * t11 - t31 * t38) + 2.0 * t40);
-            const real t42 = l0 * t41;
-            const real sigma_bend1 = sigma[2 * 8 + j];
+            const real t43 = ey_p_y * t32;
+            const real t44 = t9 + t8;
+            const real t45 = t44 * ez_q_z;
+            const real t46 = l0 * (4.0 * t40 + 2.0 * (t41 + t42 - t43 - t45));
+            const real t47 = l0 * t46;
+            const real t48 = 0.08333333333333333 * (t36 * t47);
+            const real t49 = l0 * t35 - t48;
+            const real t50 = ey_p_y * el_y + 2.0 * (t39 * el_x + t44 * el_z);
+            const real b5 = l0 * t50;
             const real sigma_bend2 = sigma[3 * 8 + j];
-            const real t43 = t17 * (sigma_bend1 - sigma_bend2);
-            const real t44 = 0.08333333333333333 * (t42 * t43);
-            const real t45 = l0 * t35 - t44;
-            const real t46 = ez_q_z * el_z + 2.0 * (t38 * el_x + t39 * el_y);
-            const real b4 = l0 * t46;
-            const real sigma_bend3 = sigma[4 * 8 + j];
-            const real t47 = sigma_bend3 + b4 * t28 + 0.13333333333333333 * t34 - 0.03333333333333333 * t19;
-            const real t48 = l0 * t47 + t44;
-            const real t49 = b4 * t18;
-            const real t50 = t27 * t18;
-            const real t51 = sigma_bend2 + b5 * t28 + 0.13333333333333333 * t49 - 0.03333333333333333 * t50;
-            const real t52 = t17 * (sigma_bend4 - sigma_bend3);
-            const real t53 = 0.08333333333333333 * (t42 * t52);
-            const real t54 = l0 * t51 + t53;
-            const real t55 = 0.13333333333333333 * t50 - sigma_bend1 - t16 * t28 - 0.03333333333333333 * t49;
-            const real t56 = l0 * t55 - t53;
-            const real t57 = ey_p_y * t48 + 2.0 * (t39 * t54 + t25 * t56) + ey_q_y * t45;
-            const real t58 = t22 * t56 + t38 * t54 + t11 * t45 + t31 * t48;
-            const real t59 = ez_p_z * t56 + 2.0 * (t14 * t45 + t32 * t48) + ez_q_z * t54;
-            const real t60 = sigma_elongation - t4 * t4 * (2.0 * d_x * t58 + d_z * t59 + d_y * t57);
-            const real t61 = t4 * t60;
-            const real q_fx = d_x * t61 + 2.0 * t4 * t58;
-            const real t62 = t30 + t29;
-            const real q_fy = d_y * t61 + t4 * t57;
-            const real t63 = t21 - t20;
-            const real q_fz = d_z * t61 + t4 * t59;
-            force_p[0 * 8 + j] = ex_p_x * q_fx + 2.0 * (t62 * q_fy + t63 * q_fz);
-            force_p[1 * 8 + j] = ey_p_y * q_fy + 2.0 * (t31 * q_fx + t32 * q_fz);
-            force_p[2 * 8 + j] = ez_p_z * q_fz + 2.0 * (t22 * q_fx + t25 * q_fy);
-            const real t64 = l0 * (t46 - t26);
-            const real t65 = l0 * (t33 - t15);
-            const real t66 = 0.5 * sigma_torsion + 0.08333333333333333 * (t64 * t52 + t65 * t43);
-            const real t67 = l0 * t66;
-            const real t68 = 2.0 * el_x * t56 + 4.0 * t11 * t67;
-            const real t69 = 2.0 * el_x * t48 - 4.0 * t38 * t67;
-            const real t70 = 2.0 * (el_y * t56 + ey_q_y * t67);
-            const real t71 = 2.0 * (el_z * t48 - ez_q_z * t67);
-            const real t72 = t70 + t71;
-            const real t73 = el_z * t56 + 2.0 * t14 * t67;
-            const real t74 = el_y * t48 - 2.0 * t39 * t67;
-            const real t75 = t73 - t74;
-            const real t76 = u_p_1 * t69 + u_p_3 * t72 + u_p_0 * t68 - 2.0 * u_p_2 * t75;
-            const real t77 = u_p_1 * t68 + 2.0 * u_p_3 * t75 + u_p_2 * t72 - u_p_0 * t69;
-            const real t78 = t71 - t70;
-            const real t79 = t73 + t74;
-            const real t80 = u_p_2 * t68 + 2.0 * u_p_0 * t79 + u_p_1 * t78 - u_p_3 * t69;
-            const real t81 = u_p_2 * t69 + u_p_0 * t78 + u_p_3 * t68 - 2.0 * u_p_1 * t79;
-            const real rp_fl0 = tp_0 * t80 + tp_1 * t81 + tp_3 * t77 + tp_2 * t76;
-            const real rp_fl1 = tp_2 * t77 + tp_0 * t81 - tp_3 * t76 - tp_1 * t80;
-            const real rp_fl2 = tp_0 * t76 + tp_3 * t81 - tp_1 * t77 - tp_2 * t80;
-            const real rp_fl3 = tp_0 * t77 + tp_1 * t76 - tp_2 * t81 - tp_3 * t80;
-            const real t82 = tp_0 * rp_fl0 - tp_1 * rp_fl1 - tp_2 * rp_fl2 - tp_3 * rp_fl3;
-            const real t83 = tp_2 * rp_fl1 + tp_0 * rp_fl3 + tp_3 * rp_fl0 - tp_1 * rp_fl2;
-            const real t84 = tp_0 * rp_fl1 + tp_3 * rp_fl2 + tp_1 * rp_fl0 - tp_2 * rp_fl3;
-            const real t85 = tp_0 * rp_fl2 + tp_1 * rp_fl3 + tp_2 * rp_fl0 - tp_3 * rp_fl1;
-            moment_p[0 * 8 + j] = 0.5 * (u_p_1 * t82 + u_p_2 * t83 - u_p_0 * t84 - u_p_3 * t85);
-            moment_p[1 * 8 + j] = 0.5 * (u_p_2 * t82 + u_p_3 * t84 - u_p_0 * t85 - u_p_1 * t83);
-            moment_p[2 * 8 + j] = 0.5 * (u_p_1 * t85 + u_p_3 * t82 - u_p_0 * t83 - u_p_2 * t84);
-            const real ex_q_x = t5 + t7 - t6 - t8;
-            const real t86 = t10 + t9;
-            const real t87 = t37 - t36;
-            force_q[0 * 8 + j] = ex_q_x * q_fx + 2.0 * (t86 * q_fy + t87 * q_fz);
-            force_q[1 * 8 + j] = ey_q_y * q_fy + 2.0 * (t11 * q_fx + t14 * q_fz);
-            force_q[2 * 8 + j] = ez_q_z * q_fz + 2.0 * (t38 * q_fx + t39 * q_fy);
-            const real t88 = 2.0 * el_x * t54 - 4.0 * t31 * t67;
-            const real t89 = 2.0 * el_x * t45 + 4.0 * t22 * t67;
-            const real t90 = 2.0 * (el_z * t45 + ez_p_z * t67);
-            const real t91 = 2.0 * (el_y * t54 - ey_p_y * t67);
-            const real t92 = t90 + t91;
-            const real t93 = el_z * t54 - 2.0 * t32 * t67;
-            const real t94 = el_y * t45 + 2.0 * t25 * t67;
+            const real t51 = sigma_bend2 + 0.13333333333333333 * t34 + b5 * t28 - 0.03333333333333333 * t15;
+            const real t52 = t48 + l0 * t51;
+            const real t53 = t27 * t14;
+            const real t54 = b5 * t14;
+            const real t55 = 0.13333333333333333 * t53 - sigma_bend4 - t12 * t28 - 0.03333333333333333 * t54;
+            const real t56 = t13 * (sigma_bend1 - sigma_bend2);
+            const real t57 = 0.08333333333333333 * (t56 * t47);
+            const real t58 = l0 * t55 - t57;
+            const real t59 = sigma_bend3 + 0.13333333333333333 * t54 + b4 * t28 - 0.03333333333333333 * t53;
+            const real t60 = t57 + l0 * t59;
+            const real t61 = t22 * t58 + t39 * t60 + t31 * t52 + t7 * t49;
+            const real t62 = 2.0 * (t25 * t58 + t44 * t60) + ez_q_z * t52 + ez_p_z * t49;
+            const real t63 = 2.0 * (t32 * t52 + t10 * t49) + ey_q_y * t58 + ey_p_y * t60;
+            const real t64 = sigma_elongation - t4 * t4 * (d_z * t62 + d_y * t63 + 2.0 * d_x * t61);
+            const real t65 = t4 * t64;
+            const real q_fx = d_x * t65 + 2.0 * t4 * t61;
+            const real t66 = t37 + t38;
+            const real q_fy = d_y * t65 + t4 * t63;
+            const real t67 = t6 - t5;
+            const real q_fz = d_z * t65 + t4 * t62;
+            force_p[0 * 8 + j] = ex_p_x * q_fx + 2.0 * (t66 * q_fy + t67 * q_fz);
+            force_p[1 * 8 + j] = ey_p_y * q_fy + 2.0 * (t39 * q_fx + t44 * q_fz);
+            force_p[2 * 8 + j] = ez_p_z * q_fz + 2.0 * (t7 * q_fx + t10 * q_fy);
+            const real t68 = l0 * (t33 - t11);
+            const real t69 = l0 * (t50 - t26);
+            const real t70 = 0.5 * sigma_torsion + 0.08333333333333333 * (t68 * t36 + t69 * t56);
+            const real t71 = l0 * t70;
+            const real t72 = 2.0 * el_x * t49 + 4.0 * t22 * t71;
+            const real t73 = el_z * t49 + 2.0 * t25 * t71;
+            const real t74 = el_y * t60 - 2.0 * t32 * t71;
+            const real t75 = t73 + t74;
+            const real t76 = 2.0 * (el_z * t60 - ez_q_z * t71);
+            const real t77 = 2.0 * (el_y * t49 + ey_q_y * t71);
+            const real t78 = t76 - t77;
+            const real t79 = 2.0 * el_x * t60 - 4.0 * t31 * t71;
+            const real t80 = 2.0 * u_p_0 * t75 + u_p_1 * t78 + u_p_2 * t72 - u_p_3 * t79;
+            const real t81 = u_p_0 * t78 + u_p_3 * t72 + u_p_2 * t79 - 2.0 * u_p_1 * t75;
+            const real t82 = t73 - t74;
+            const real t83 = t77 + t76;
+            const real t84 = 2.0 * u_p_3 * t82 + u_p_2 * t83 + u_p_1 * t72 - u_p_0 * t79;
+            const real t85 = u_p_3 * t83 + u_p_0 * t72 + u_p_1 * t79 - 2.0 * u_p_2 * t82;
+            const real rp_fl0 = tp_3 * t84 + tp_2 * t85 + tp_1 * t81 + tp_0 * t80;
+            const real rp_fl1 = tp_2 * t84 + tp_0 * t81 - tp_3 * t85 - tp_1 * t80;
+            const real rp_fl2 = tp_0 * t85 + tp_3 * t81 - tp_1 * t84 - tp_2 * t80;
+            const real rp_fl3 = tp_0 * t84 + tp_1 * t85 - tp_2 * t81 - tp_3 * t80;
+            const real t86 = tp_0 * rp_fl0 - tp_1 * rp_fl1 - tp_2 * rp_fl2 - tp_3 * rp_fl3;
+            const real t87 = tp_0 * rp_fl3 + tp_3 * rp_fl0 + tp_2 * rp_fl1 - tp_1 * rp_fl2;
+            const real t88 = tp_3 * rp_fl2 + tp_1 * rp_fl0 + tp_0 * rp_fl1 - tp_2 * rp_fl3;
+            const real t89 = tp_1 * rp_fl3 + tp_2 * rp_fl0 + tp_0 * rp_fl2 - tp_3 * rp_fl1;
+            moment_p[0 * 8 + j] = 0.5 * (u_p_1 * t86 + u_p_2 * t87 - u_p_0 * t88 - u_p_3 * t89);
+            moment_p[1 * 8 + j] = 0.5 * (u_p_2 * t86 + u_p_3 * t88 - u_p_0 * t89 - u_p_1 * t87);
+            moment_p[2 * 8 + j] = 0.5 * (u_p_1 * t89 + u_p_3 * t86 - u_p_0 * t87 - u_p_2 * t88);
+            const real ex_q_x = t16 + t18 - t17 - t19;
+            const real t90 = t20 + t21;
+            const real t91 = t30 - t29;
+            force_q[0 * 8 + j] = ex_q_x * q_fx + 2.0 * (t90 * q_fy + t91 * q_fz);
+            force_q[1 * 8 + j] = ey_q_y * q_fy + 2.0 * (t22 * q_fx + t25 * q_fz);
+            force_q[2 * 8 + j] = ez_q_z * q_fz + 2.0 * (t31 * q_fx + t32 * q_fy);
+            const real t92 = 2.0 * el_x * t52 - 4.0 * t39 * t71;
+            const real t93 = el_z * t52 - 2.0 * t44 * t71;
+            const real t94 = el_y * t58 + 2.0 * t10 * t71;
             const real t95 = t93 - t94;
-            const real t96 = u_q_1 * t89 + u_q_3 * t92 + u_q_0 * t88 - 2.0 * u_q_2 * t95;
-            const real t97 = u_q_1 * t88 + 2.0 * u_q_3 * t95 + u_q_2 * t92 - u_q_0 * t89;
-            const real t98 = t90 - t91;
-            const real t99 = t94 + t93;
-            const real t100 = u_q_2 * t88 + 2.0 * u_q_0 * t99 + u_q_1 * t98 - u_q_3 * t89;
-            const real t101 = u_q_2 * t89 + u_q_0 * t98 + u_q_3 * t88 - 2.0 * u_q_1 * t99;
-            const real rq_fl0 = tq_0 * t100 + tq_1 * t101 + tq_3 * t97 + tq_2 * t96;
-            const real rq_fl1 = tq_2 * t97 + tq_0 * t101 - tq_3 * t96 - tq_1 * t100;
-            const real rq_fl2 = tq_0 * t96 + tq_3 * t101 - tq_1 * t97 - tq_2 * t100;
-            const real rq_fl3 = tq_0 * t97 + tq_1 * t96 - tq_2 * t101 - tq_3 * t100;
-            const real t102 = tq_0 * rq_fl1 + tq_3 * rq_fl2 + tq_1 * rq_fl0 - tq_2 * rq_fl3;
-            const real t103 = tq_0 * rq_fl2 + tq_1 * rq_fl3 + tq_2 * rq_fl0 - tq_3 * rq_fl1;
-            const real t104 = tq_0 * rq_fl0 - tq_1 * rq_fl1 - tq_2 * rq_fl2 - tq_3 * rq_fl3;
-            const real t105 = tq_2 * rq_fl1 + tq_0 * rq_fl3 + tq_3 * rq_fl0 - tq_1 * rq_fl2;
-            const real t106 = u_q_0 * t102 + u_q_3 * t103 - u_q_1 * t104 - u_q_2 * t105;
-            moment_q[0 * 8 + j] = 0.5 * t106;
-            const real t107 = u_q_0 * t103 + u_q_1 * t105 - u_q_2 * t104 - u_q_3 * t102;
-            moment_q[1 * 8 + j] = 0.5 * t107;
-            const real t108 = u_q_0 * t105 + u_q_2 * t102 - u_q_1 * t103 - u_q_3 * t104;
-            moment_q[2 * 8 + j] = 0.5 * t108;
-            const real t109 = t17 * t17;
-            const real t110 = t41 * t17;
-            const real t111 = l0 * (t33 + t15) - 0.16666666666666666 * (t64 * t110);
+            const real t96 = 2.0 * (el_z * t58 + ez_p_z * t71);
+            const real t97 = 2.0 * (el_y * t52 - ey_p_y * t71);
+            const real t98 = t96 + t97;
+            const real t99 = 2.0 * el_x * t58 + 4.0 * t7 * t71;
+            const real t100 = 2.0 * u_q_3 * t95 + u_q_2 * t98 + u_q_1 * t92 - u_q_0 * t99;
+            const real t101 = t96 - t97;
+            const real t102 = t94 + t93;
+            const real t103 = u_q_0 * t101 + u_q_3 * t92 + u_q_2 * t99 - 2.0 * u_q_1 * t102;
+            const real t104 = u_q_3 * t98 + u_q_0 * t92 + u_q_1 * t99 - 2.0 * u_q_2 * t95;
+            const real t105 = 2.0 * u_q_0 * t102 + u_q_1 * t101 + u_q_2 * t92 - u_q_3 * t99;
+            const real rq_fl1 = tq_2 * t100 + tq_0 * t103 - tq_3 * t104 - tq_1 * t105;
+            const real rq_fl2 = tq_0 * t104 + tq_3 * t103 - tq_1 * t100 - tq_2 * t105;
+            const real rq_fl0 = tq_3 * t100 + tq_2 * t104 + tq_1 * t103 + tq_0 * t105;
+            const real rq_fl3 = tq_0 * t100 + tq_1 * t104 - tq_2 * t103 - tq_3 * t105;
+            const real t106 = tq_3 * rq_fl2 + tq_1 * rq_fl0 + tq_0 * rq_fl1 - tq_2 * rq_fl3;
+            const real t107 = tq_1 * rq_fl3 + tq_2 * rq_fl0 + tq_0 * rq_fl2 - tq_3 * rq_fl1;
+            const real t108 = tq_0 * rq_fl0 - tq_1 * rq_fl1 - tq_2 * rq_fl2 - tq_3 * rq_fl3;
+            const real t109 = tq_0 * rq_fl3 + tq_3 * rq_fl0 + tq_2 * rq_fl1 - tq_1 * rq_fl2;
+            const real t110 = u_q_0 * t106 + u_q_3 * t107 - u_q_1 * t108 - u_q_2 * t109;
+            moment_q[0 * 8 + j] = 0.5 * t110;
+            const real t111 = u_q_0 * t107 + u_q_1 * t109 - u_q_2 * t108 - u_q_3 * t106;
+            moment_q[1 * 8 + j] = 0.5 * t111;
+            const real t112 = u_q_0 * t109 + u_q_2 * t106 - u_q_1 * t107 - u_q_3 * t108;
+            moment_q[2 * 8 + j] = 0.5 * t112;
+            const real t113 = t13 * t13;
             const real GAy = p[15 * 8 + j];
             const real EIz = p[14 * 8 + j];
-            const real t112 = 1.0 / GAy * EIz * t109;
-            const real phi_y = 12.0 * t112;
-            const real t113 = 1.0 / (1.0 + phi_y);
-            const real t114 = 0.16666666666666666 * (t65 * t110) - l0 * (t26 + t46);
+            const real t114 = 1.0 / GAy * (EIz * t113);
+            const real phi_y = 12.0 * t114;
+            const real t115 = 1.0 / (1.0 + phi_y);
+            const real t116 = t13 * t46;
+            const real t117 = (l0 * (t50 + t26) - 0.16666666666666666 * (t116 * t68)) * (l0 * (t50 + t26)
+                - 0.16666666666666666 * (t116 * t68));
             const real GAz = p[16 * 8 + j];
             const real EIy = p[13 * 8 + j];
-            const real t115 = 1.0 / GAz * EIy * t109;
-            const real phi_z = 12.0 * t115;
-            const real t116 = 1.0 / (1.0 + phi_z);
-            const real t117 = t112 * t112 * t113 * t113 * t111 * t111 + t115 * t115 * t116 * t116 * t114 * t114;
-            shear_angle[0 * 8 + j] = real_sqrt(36.0 * (t109 * t117));
-            turn_cosines[0 * 8 + j] = t4 * (ex_p_x * d_x + 2.0 * (t62 * d_y + t63 * d_z));
-            turn_cosines[1 * 8 + j] = t4 * (ex_q_x * d_x + 2.0 * (t86 * d_y + t87 * d_z));
-            turn_cosines[2 * 8 + j] = 0.5 * (ey_p_y * ey_q_y + ez_p_z * ez_q_z) + 2.0 * (t31 * t11 + t32 * t14 + t25
-                * t39 + t22 * t38);
+            const real t118 = 1.0 / GAz * (EIy * t113);
+            const real phi_z = 12.0 * t118;
+            const real t119 = 1.0 / (1.0 + phi_z);
+            const real t120 = (0.16666666666666666 * (t69 * t116) - l0 * (t11 + t33)) * (0.16666666666666666 * (t69
+                * t116) - l0 * (t11 + t33));
+            const real t121 = t115 * t117 * t115 * t114 * t114 + t119 * t120 * t119 * t118 * t118;
+            t122[j] = real_sqrt(36.0 * (t113 * t121));
+            shear_angle[0 * 8 + j] = t122[j];
+            const real t123 = t4 * t67;
+            const real t124 = t4 * ex_p_x;
+            const real t125 = (2.0 * d_x * t123 - d_z * t124) * (2.0 * d_x * t123 - d_z * t124);
+            const real t126 = t4 * t66;
+            const real t127 = 4.0 * (d_z * t126 - d_y * t123) * (d_z * t126 - d_y * t123);
+            const real t128 = (d_y * t124 - 2.0 * d_x * t126) * (d_y * t124 - 2.0 * d_x * t126);
+            t129[j] = real_sqrt(t127 + t128 + t125);
+            t130[j] = d_x * t124 + 2.0 * (d_y * t126 + d_z * t123);
+            const real t132 = t4 * t91;
+            const real t133 = t4 * ex_q_x;
+            const real t134 = (2.0 * d_x * t132 - d_z * t133) * (2.0 * d_x * t132 - d_z * t133);
+            const real t135 = t4 * t90;
+            const real t136 = 4.0 * (d_z * t135 - d_y * t132) * (d_z * t135 - d_y * t132);
+            const real t137 = (d_y * t133 - 2.0 * d_x * t135) * (d_y * t133 - 2.0 * d_x * t135);
+            t138[j] = real_sqrt(t136 + t137 + t134);
+            t139[j] = d_x * t133 + 2.0 * (d_y * t135 + d_z * t132);
+            t144[j] = real_abs(t43 + t45 - t41 - t42 - 2.0 * t40);
+            t145[j] = 2.0 * (t10 * t32 + t7 * t31 + t39 * t22 + t44 * t25) + 0.5 * (ey_p_y * ey_q_y + ez_p_z
+                * ez_q_z);
+            shear_range[0 * 8 + j] = 57.29577951308232 * t122[j];
             axis[3 * 8 + j] = 0.98876953125 * p_x + 0.01123046875 * q_x + l0 * (0.054931640625 * ex_p_x
                 - 0.003662109375 * ex_q_x); /* axis(1,0) */
-            axis[4 * 8 + j] = 0.98876953125 * p_y + 0.01123046875 * q_y + l0 * (0.10986328125 * t62 - 0.00732421875
-                * t86); /* axis(1,1) */
-            axis[5 * 8 + j] = 0.98876953125 * p_z + 0.01123046875 * q_z + l0 * (0.10986328125 * t63 - 0.00732421875
-                * t87); /* axis(1,2) */
+            axis[4 * 8 + j] = 0.98876953125 * p_y + 0.01123046875 * q_y + l0 * (0.10986328125 * t66 - 0.00732421875
+                * t90); /* axis(1,1) */
+            axis[5 * 8 + j] = 0.98876953125 * p_z + 0.01123046875 * q_z + l0 * (0.10986328125 * t67 - 0.00732421875
+                * t91); /* axis(1,2) */
             axis[6 * 8 + j] = 0.95703125 * p_x + 0.04296875 * q_x + l0 * (0.095703125 * ex_p_x - 0.013671875
                 * ex_q_x); /* axis(2,0) */
-            axis[7 * 8 + j] = 0.95703125 * p_y + 0.04296875 * q_y + l0 * (0.19140625 * t62 - 0.02734375 * t86);
+            axis[7 * 8 + j] = 0.95703125 * p_y + 0.04296875 * q_y + l0 * (0.19140625 * t66 - 0.02734375 * t90);
                 /* axis(2,1) */
-            axis[8 * 8 + j] = 0.95703125 * p_z + 0.04296875 * q_z + l0 * (0.19140625 * t63 - 0.02734375 * t87);
+            axis[8 * 8 + j] = 0.95703125 * p_z + 0.04296875 * q_z + l0 * (0.19140625 * t67 - 0.02734375 * t91);
                 /* axis(2,2) */
             axis[9 * 8 + j] = 0.90771484375 * p_x + 0.09228515625 * q_x + l0 * (0.123779296875 * ex_p_x
                 - 0.028564453125 * ex_q_x); /* axis(3,0) */
-            axis[10 * 8 + j] = 0.90771484375 * p_y + 0.09228515625 * q_y + l0 * (0.24755859375 * t62 - 0.05712890625
-                * t86); /* axis(3,1) */
-            axis[11 * 8 + j] = 0.90771484375 * p_z + 0.09228515625 * q_z + l0 * (0.24755859375 * t63 - 0.05712890625
-                * t87); /* axis(3,2) */
+            axis[10 * 8 + j] = 0.90771484375 * p_y + 0.09228515625 * q_y + l0 * (0.24755859375 * t66 - 0.05712890625
+                * t90); /* axis(3,1) */
+            axis[11 * 8 + j] = 0.90771484375 * p_z + 0.09228515625 * q_z + l0 * (0.24755859375 * t67 - 0.05712890625
+                * t91); /* axis(3,2) */
             axis[12 * 8 + j] = 0.84375 * p_x + 0.15625 * q_x + l0 * (0.140625 * ex_p_x - 0.046875 * ex_q_x);
                 /* axis(4,0) */
-            axis[13 * 8 + j] = 0.84375 * p_y + 0.15625 * q_y + l0 * (0.28125 * t62 - 0.09375 * t86); /* axis(4,1) */
-            axis[14 * 8 + j] = 0.84375 * p_z + 0.15625 * q_z + l0 * (0.28125 * t63 - 0.09375 * t87); /* axis(4,2) */
+            axis[13 * 8 + j] = 0.84375 * p_y + 0.15625 * q_y + l0 * (0.28125 * t66 - 0.09375 * t90); /* axis(4,1) */
+            axis[14 * 8 + j] = 0.84375 * p_z + 0.15625 * q_z + l0 * (0.28125 * t67 - 0.09375 * t91); /* axis(4,2) */
             axis[15 * 8 + j] = 0.76806640625 * p_x + 0.23193359375 * q_x + l0 * (0.147705078125 * ex_p_x
                 - 0.067138671875 * ex_q_x); /* axis(5,0) */
-            axis[16 * 8 + j] = 0.76806640625 * p_y + 0.23193359375 * q_y + l0 * (0.29541015625 * t62 - 0.13427734375
-                * t86); /* axis(5,1) */
-            axis[17 * 8 + j] = 0.76806640625 * p_z + 0.23193359375 * q_z + l0 * (0.29541015625 * t63 - 0.13427734375
-                * t87); /* axis(5,2) */
+            axis[16 * 8 + j] = 0.76806640625 * p_y + 0.23193359375 * q_y + l0 * (0.29541015625 * t66 - 0.13427734375
+                * t90); /* axis(5,1) */
+            axis[17 * 8 + j] = 0.76806640625 * p_z + 0.23193359375 * q_z + l0 * (0.29541015625 * t67 - 0.13427734375
+                * t91); /* axis(5,2) */
             axis[18 * 8 + j] = 0.68359375 * p_x + 0.31640625 * q_x + l0 * (0.146484375 * ex_p_x - 0.087890625
                 * ex_q_x); /* axis(6,0) */
-            axis[19 * 8 + j] = 0.68359375 * p_y + 0.31640625 * q_y + l0 * (0.29296875 * t62 - 0.17578125 * t86);
+            axis[19 * 8 + j] = 0.68359375 * p_y + 0.31640625 * q_y + l0 * (0.29296875 * t66 - 0.17578125 * t90);
                 /* axis(6,1) */
-            axis[20 * 8 + j] = 0.68359375 * p_z + 0.31640625 * q_z + l0 * (0.29296875 * t63 - 0.17578125 * t87);
+            axis[20 * 8 + j] = 0.68359375 * p_z + 0.31640625 * q_z + l0 * (0.29296875 * t67 - 0.17578125 * t91);
                 /* axis(6,2) */
             axis[21 * 8 + j] = 0.59326171875 * p_x + 0.40673828125 * q_x + l0 * (0.138427734375 * ex_p_x
                 - 0.107666015625 * ex_q_x); /* axis(7,0) */
-            axis[22 * 8 + j] = 0.59326171875 * p_y + 0.40673828125 * q_y + l0 * (0.27685546875 * t62 - 0.21533203125
-                * t86); /* axis(7,1) */
-            axis[23 * 8 + j] = 0.59326171875 * p_z + 0.40673828125 * q_z + l0 * (0.27685546875 * t63 - 0.21533203125
-                * t87); /* axis(7,2) */
+            axis[22 * 8 + j] = 0.59326171875 * p_y + 0.40673828125 * q_y + l0 * (0.27685546875 * t66 - 0.21533203125
+                * t90); /* axis(7,1) */
+            axis[23 * 8 + j] = 0.59326171875 * p_z + 0.40673828125 * q_z + l0 * (0.27685546875 * t67 - 0.21533203125
+                * t91); /* axis(7,2) */
             axis[24 * 8 + j] = 0.5 * (p_x + q_x) + 0.125 * l0 * (ex_p_x - ex_q_x); /* axis(8,0) */
-            axis[25 * 8 + j] = 0.5 * (p_y + q_y) + 0.25 * l0 * (t62 - t86); /* axis(8,1) */
-            axis[26 * 8 + j] = 0.5 * (p_z + q_z) + 0.25 * l0 * (t63 - t87); /* axis(8,2) */
+            axis[25 * 8 + j] = 0.5 * (p_y + q_y) + 0.25 * l0 * (t66 - t90); /* axis(8,1) */
+            axis[26 * 8 + j] = 0.5 * (p_z + q_z) + 0.25 * l0 * (t67 - t91); /* axis(8,2) */
             axis[27 * 8 + j] = 0.40673828125 * p_x + 0.59326171875 * q_x + l0 * (0.107666015625 * ex_p_x
                 - 0.138427734375 * ex_q_x); /* axis(9,0) */
-            axis[28 * 8 + j] = 0.40673828125 * p_y + 0.59326171875 * q_y + l0 * (0.21533203125 * t62 - 0.27685546875
-                * t86); /* axis(9,1) */
-            axis[29 * 8 + j] = 0.40673828125 * p_z + 0.59326171875 * q_z + l0 * (0.21533203125 * t63 - 0.27685546875
-                * t87); /* axis(9,2) */
+            axis[28 * 8 + j] = 0.40673828125 * p_y + 0.59326171875 * q_y + l0 * (0.21533203125 * t66 - 0.27685546875
+                * t90); /* axis(9,1) */
+            axis[29 * 8 + j] = 0.40673828125 * p_z + 0.59326171875 * q_z + l0 * (0.21533203125 * t67 - 0.27685546875
+                * t91); /* axis(9,2) */
             axis[30 * 8 + j] = 0.31640625 * p_x + 0.68359375 * q_x + l0 * (0.087890625 * ex_p_x - 0.146484375
                 * ex_q_x); /* axis(10,0) */
-            axis[31 * 8 + j] = 0.31640625 * p_y + 0.68359375 * q_y + l0 * (0.17578125 * t62 - 0.29296875 * t86);
+            axis[31 * 8 + j] = 0.31640625 * p_y + 0.68359375 * q_y + l0 * (0.17578125 * t66 - 0.29296875 * t90);
                 /* axis(10,1) */
-            axis[32 * 8 + j] = 0.31640625 * p_z + 0.68359375 * q_z + l0 * (0.17578125 * t63 - 0.29296875 * t87);
+            axis[32 * 8 + j] = 0.31640625 * p_z + 0.68359375 * q_z + l0 * (0.17578125 * t67 - 0.29296875 * t91);
                 /* axis(10,2) */
             axis[33 * 8 + j] = 0.23193359375 * p_x + 0.76806640625 * q_x + l0 * (0.067138671875 * ex_p_x
                 - 0.147705078125 * ex_q_x); /* axis(11,0) */
-            axis[34 * 8 + j] = 0.23193359375 * p_y + 0.76806640625 * q_y + l0 * (0.13427734375 * t62 - 0.29541015625
-                * t86); /* axis(11,1) */
-            axis[35 * 8 + j] = 0.23193359375 * p_z + 0.76806640625 * q_z + l0 * (0.13427734375 * t63 - 0.29541015625
-                * t87); /* axis(11,2) */
+            axis[34 * 8 + j] = 0.23193359375 * p_y + 0.76806640625 * q_y + l0 * (0.13427734375 * t66 - 0.29541015625
+                * t90); /* axis(11,1) */
+            axis[35 * 8 + j] = 0.23193359375 * p_z + 0.76806640625 * q_z + l0 * (0.13427734375 * t67 - 0.29541015625
+                * t91); /* axis(11,2) */
             axis[36 * 8 + j] = 0.15625 * p_x + 0.84375 * q_x + l0 * (0.046875 * ex_p_x - 0.140625 * ex_q_x);
                 /* axis(12,0) */
-            axis[37 * 8 + j] = 0.15625 * p_y + 0.84375 * q_y + l0 * (0.09375 * t62 - 0.28125 * t86); /* axis(12,1) */
-            axis[38 * 8 + j] = 0.15625 * p_z + 0.84375 * q_z + l0 * (0.09375 * t63 - 0.28125 * t87); /* axis(12,2) */
+            axis[37 * 8 + j] = 0.15625 * p_y + 0.84375 * q_y + l0 * (0.09375 * t66 - 0.28125 * t90); /* axis(12,1) */
+            axis[38 * 8 + j] = 0.15625 * p_z + 0.84375 * q_z + l0 * (0.09375 * t67 - 0.28125 * t91); /* axis(12,2) */
             axis[39 * 8 + j] = 0.09228515625 * p_x + 0.90771484375 * q_x + l0 * (0.028564453125 * ex_p_x
                 - 0.123779296875 * ex_q_x); /* axis(13,0) */
-            axis[40 * 8 + j] = 0.09228515625 * p_y + 0.90771484375 * q_y + l0 * (0.05712890625 * t62 - 0.24755859375
-                * t86); /* axis(13,1) */
-            axis[41 * 8 + j] = 0.09228515625 * p_z + 0.90771484375 * q_z + l0 * (0.05712890625 * t63 - 0.24755859375
-                * t87); /* axis(13,2) */
+            axis[40 * 8 + j] = 0.09228515625 * p_y + 0.90771484375 * q_y + l0 * (0.05712890625 * t66 - 0.24755859375
+                * t90); /* axis(13,1) */
+            axis[41 * 8 + j] = 0.09228515625 * p_z + 0.90771484375 * q_z + l0 * (0.05712890625 * t67 - 0.24755859375
+                * t91); /* axis(13,2) */
             axis[42 * 8 + j] = 0.04296875 * p_x + 0.95703125 * q_x + l0 * (0.013671875 * ex_p_x - 0.095703125
                 * ex_q_x); /* axis(14,0) */
-            axis[43 * 8 + j] = 0.04296875 * p_y + 0.95703125 * q_y + l0 * (0.02734375 * t62 - 0.19140625 * t86);
+            axis[43 * 8 + j] = 0.04296875 * p_y + 0.95703125 * q_y + l0 * (0.02734375 * t66 - 0.19140625 * t90);
                 /* axis(14,1) */
-            axis[44 * 8 + j] = 0.04296875 * p_z + 0.95703125 * q_z + l0 * (0.02734375 * t63 - 0.19140625 * t87);
+            axis[44 * 8 + j] = 0.04296875 * p_z + 0.95703125 * q_z + l0 * (0.02734375 * t67 - 0.19140625 * t91);
                 /* axis(14,2) */
             axis[45 * 8 + j] = 0.01123046875 * p_x + 0.98876953125 * q_x + l0 * (0.003662109375 * ex_p_x
                 - 0.054931640625 * ex_q_x); /* axis(15,0) */
-            axis[46 * 8 + j] = 0.01123046875 * p_y + 0.98876953125 * q_y + l0 * (0.00732421875 * t62 - 0.10986328125
-                * t86); /* axis(15,1) */
-            axis[47 * 8 + j] = 0.01123046875 * p_z + 0.98876953125 * q_z + l0 * (0.00732421875 * t63 - 0.10986328125
-                * t87); /* axis(15,2) */
-            const real ey_p_x = 2.0 * t31;
+            axis[46 * 8 + j] = 0.01123046875 * p_y + 0.98876953125 * q_y + l0 * (0.00732421875 * t66 - 0.10986328125
+                * t90); /* axis(15,1) */
+            axis[47 * 8 + j] = 0.01123046875 * p_z + 0.98876953125 * q_z + l0 * (0.00732421875 * t67 - 0.10986328125
+                * t91); /* axis(15,2) */
+            const real ey_p_x = 2.0 * t39;
             across[0 * 8 + j] = ey_p_x; /* across(0,0) */
-            const real ey_p_z = 2.0 * t32;
+            const real ey_p_z = 2.0 * t44;
             across[2 * 8 + j] = ey_p_z; /* across(0,2) */
-            const real ey_q_x = 2.0 * t11;
+            const real ey_q_x = 2.0 * t22;
             across[3 * 8 + j] = ey_q_x; /* across(1,0) */
-            const real ey_q_z = 2.0 * t14;
+            const real ey_q_z = 2.0 * t25;
             across[5 * 8 + j] = ey_q_z; /* across(1,2) */
+        }
+        for (size_t j = 0; j < 8; j++) {
+            t131[j] = real_atan2(t129[j], t130[j]);
+            t140[j] = real_atan2(t138[j], t139[j]);
+            t146[j] = real_atan2(t144[j], t145[j]);
+            t150[j] = real_sin(t122[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            t141[j] = t131[j] + t140[j];
+            bend_range[0 * 8 + j] = 57.29577951308232 * t141[j];
+            t143[j] = 1.0 / real_max(1e-09, t141[j]);
+            twist_range[0 * 8 + j] = 57.29577951308232 * t146[j];
+            t147[j] = 2.0 * t146[j];
+            t149[j] = 1.0 / real_max(1e-09, t147[j]);
+            shear_range[1 * 8 + j] = 100.0 * (t150[j] * t150[j]);
+        }
+        for (size_t j = 0; j < 8; j++) {
+            t142[j] = real_sin(t141[j]);
+            t148[j] = real_sin(t147[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            bend_range[1 * 8 + j] = 100.0 * ((t141[j] - t142[j]) * t143[j]);
+            twist_range[1 * 8 + j] = 100.0 * ((t147[j] - t148[j]) * t149[j]);
         }
     }
 }
 
 const flexel_element flexel_beam = {
     .name = "beam",
-    .digest = "5f7f99a57ab8bc5d",
+    .digest = "b7d8742567cf4a9d",
     .n = 14,
     .m = 6,
     .k = 0,

@@ -15,7 +15,9 @@
  *    the minus
  * axis: places on the cubic axis; across: ey_p, ey_q
  * shear_angle = |(phi_z/(1 + phi_z) (bend1 - bend2), phi_y/(1 + phi_y) (bend3 - bend4))|/(2 l0)
- * turn_cosines = ex_p.el, ex_q.el, (ey_p.ey_q + ez_p.ez_q)/2
+ * ranges [degrees, %]: bend = angle(ex_p, el) + angle(ex_q, el), 1 - sin(bend)/bend; twist = angle with the sine
+ *    (ez_p.ey_q - ey_p.ez_q)/2 and the cosine (ey_p.ey_q + ez_p.ez_q)/2, 1 - sin(2 twist)/(2 twist);
+ *    shear_angle, sin(shear_angle)^2
  *
  * Source: Meijaard 1996, Nonlinear Dyn. 9; Jonker and Meijaard 2013, Int. J. Non-Linear Mech. 53; Przemieniecki 1968
  *   (mass with rotary inertia)
@@ -5820,10 +5822,10 @@ static void beam_first_order_tangent(size_t nblocks, const real *const *in, real
     }
 }
 
-/* outputs: 908 operations.
+/* outputs: 984 operations.
  * in:  x (14), sigma (6), tau (0), p (20)
- * out: force_p (3), moment_p (3), force_q (3), moment_q (3), shear_angle (1), turn_cosines (3), axis (17,3), across
- *   (2,3) */
+ * out: force_p (3), moment_p (3), force_q (3), moment_q (3), shear_angle (1), bend_range (2), twist_range (2),
+ *   shear_range (2), axis (17,3), across (2,3) */
 FLEXEL_CLONES
 static void beam_first_order_outputs(size_t nblocks, const real *const *in, real *const *out)
 {
@@ -5836,9 +5838,13 @@ static void beam_first_order_outputs(size_t nblocks, const real *const *in, real
         real *restrict force_q = out[2] + b * (3 * 8);
         real *restrict moment_q = out[3] + b * (3 * 8);
         real *restrict shear_angle = out[4] + b * (1 * 8);
-        real *restrict turn_cosines = out[5] + b * (3 * 8);
-        real *restrict axis = out[6] + b * (51 * 8);
-        real *restrict across = out[7] + b * (6 * 8);
+        real *restrict bend_range = out[5] + b * (2 * 8);
+        real *restrict twist_range = out[6] + b * (2 * 8);
+        real *restrict shear_range = out[7] + b * (2 * 8);
+        real *restrict axis = out[8] + b * (51 * 8);
+        real *restrict across = out[9] + b * (6 * 8);
+        real t89[8], t96[8], t97[8], t98[8], t105[8], t106[8], t107[8], t108[8], t109[8], t110[8], t112[8], t113[8],
+            t114[8], t115[8], t116[8], t117[8], t118[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real rp_l0 = x[3 * 8 + j];
@@ -6017,11 +6023,30 @@ static void beam_first_order_outputs(size_t nblocks, const real *const *in, real
             const real phi_z = 12.0 * t86;
             const real t87 = 1.0 / (1.0 + phi_z);
             const real t88 = t82 * t82 * t83 * t83 * t81 * t81 + t86 * t86 * t87 * t87 * t85 * t85;
-            shear_angle[0 * 8 + j] = real_sqrt(36.0 * (t79 * t88));
-            turn_cosines[0 * 8 + j] = t4 * (ex_p_x * d_x + 2.0 * (t38 * d_y + t39 * d_z));
-            turn_cosines[1 * 8 + j] = t4 * (ex_q_x * d_x + 2.0 * (t59 * d_y + t60 * d_z));
-            turn_cosines[2 * 8 + j] = 0.5 * (ey_p_y * ey_q_y + ez_p_z * ez_q_z) + 2.0 * (t22 * t28 + t33 * t34 + t12
-                * t8 + t31 * t25);
+            t89[j] = real_sqrt(36.0 * (t79 * t88));
+            shear_angle[0 * 8 + j] = t89[j];
+            const real t90 = ex_p_x * t4;
+            const real t91 = t38 * t4;
+            const real t92 = (d_y * t90 - 2.0 * d_x * t91) * (d_y * t90 - 2.0 * d_x * t91);
+            const real t93 = t39 * t4;
+            const real t94 = (2.0 * d_x * t93 - d_z * t90) * (2.0 * d_x * t93 - d_z * t90);
+            const real t95 = t94 + 4.0 * (d_z * t91 - d_y * t93) * (d_z * t91 - d_y * t93);
+            t96[j] = real_sqrt(t92 + t95);
+            t97[j] = d_x * t90 + 2.0 * (d_y * t91 + d_z * t93);
+            const real t99 = ex_q_x * t4;
+            const real t100 = t59 * t4;
+            const real t101 = (d_y * t99 - 2.0 * d_x * t100) * (d_y * t99 - 2.0 * d_x * t100);
+            const real t102 = t60 * t4;
+            const real t103 = (2.0 * d_x * t102 - d_z * t99) * (2.0 * d_x * t102 - d_z * t99);
+            const real t104 = 4.0 * (d_z * t100 - d_y * t102) * (d_z * t100 - d_y * t102);
+            t105[j] = real_sqrt(t103 + t104 + t101);
+            t106[j] = d_x * t99 + 2.0 * (d_y * t100 + d_z * t102);
+            const real t111 = ey_p_y * t8 + t33 * ez_q_z - t12 * ey_q_y - ez_p_z * t34 - 2.0 * (t31 * t28 - t22
+                * t25);
+            t112[j] = real_abs(t111);
+            t113[j] = 0.5 * (ey_p_y * ey_q_y + ez_p_z * ez_q_z) + 2.0 * (t22 * t28 + t33 * t34 + t12 * t8 + t31
+                * t25);
+            shear_range[0 * 8 + j] = 57.29577951308232 * t89[j];
             axis[3 * 8 + j] = 0.98876953125 * p_x + 0.01123046875 * q_x + l0 * (0.054931640625 * ex_p_x
                 - 0.003662109375 * ex_q_x); /* axis(1,0) */
             axis[4 * 8 + j] = 0.98876953125 * p_y + 0.01123046875 * q_y + l0 * (0.10986328125 * t38 - 0.00732421875
@@ -6114,12 +6139,37 @@ static void beam_first_order_outputs(size_t nblocks, const real *const *in, real
             const real ey_q_z = 2.0 * t34;
             across[5 * 8 + j] = ey_q_z; /* across(1,2) */
         }
+        for (size_t j = 0; j < 8; j++) {
+            t98[j] = real_atan2(t96[j], t97[j]);
+            t107[j] = real_atan2(t105[j], t106[j]);
+            t114[j] = real_atan2(t112[j], t113[j]);
+            t118[j] = real_sin(t89[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            t108[j] = t98[j] + t107[j];
+            bend_range[0 * 8 + j] = 57.29577951308232 * t108[j];
+            t110[j] = 1.0 / real_max(1e-09, t108[j]);
+            twist_range[0 * 8 + j] = 57.29577951308232 * t114[j];
+            t115[j] = 2.0 * t114[j];
+            t117[j] = 1.0 / real_max(1e-09, t115[j]);
+            shear_range[1 * 8 + j] = 100.0 * (t118[j] * t118[j]);
+        }
+        for (size_t j = 0; j < 8; j++) {
+            t109[j] = real_sin(t108[j]);
+            t116[j] = real_sin(t115[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            bend_range[1 * 8 + j] = 100.0 * ((t108[j] - t109[j]) * t110[j]);
+            twist_range[1 * 8 + j] = 100.0 * ((t115[j] - t116[j]) * t117[j]);
+        }
     }
 }
 
 const flexel_element flexel_beam_first_order = {
     .name = "beam_first_order",
-    .digest = "8598a496921a54a5",
+    .digest = "876d9460f3fd1287",
     .n = 14,
     .m = 6,
     .k = 0,

@@ -11823,22 +11823,24 @@ static void beam_logarithmic_tangent(size_t nblocks, const real *const *in, real
     }
 }
 
-/* outputs: 1247 operations.
- * in:  x (14), sigma (6), tau (0), p (20)
- * out: force_p (3), moment_p (3), force_q (3), moment_q (3), axis (17,3), across (2,3) */
+/* outputs: 1258 operations.
+ * in:  x (14), e (6), sigma (6), tau (0), p (20)
+ * out: force_p (3), moment_p (3), force_q (3), moment_q (3), turn_range (2), axis (17,3), across (2,3) */
 FLEXEL_CLONES
 static void beam_logarithmic_outputs(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict x = in[0] + b * (14 * 8);
-        const real *restrict sigma = in[1] + b * (6 * 8);
-        const real *restrict p = in[3] + b * (20 * 8);
+        const real *restrict e = in[1] + b * (6 * 8);
+        const real *restrict sigma = in[2] + b * (6 * 8);
+        const real *restrict p = in[4] + b * (20 * 8);
         real *restrict force_p = out[0] + b * (3 * 8);
         real *restrict moment_p = out[1] + b * (3 * 8);
         real *restrict force_q = out[2] + b * (3 * 8);
         real *restrict moment_q = out[3] + b * (3 * 8);
-        real *restrict axis = out[4] + b * (51 * 8);
-        real *restrict across = out[5] + b * (6 * 8);
+        real *restrict turn_range = out[4] + b * (2 * 8);
+        real *restrict axis = out[5] + b * (51 * 8);
+        real *restrict across = out[6] + b * (6 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real rp_l0 = x[3 * 8 + j];
@@ -11863,9 +11865,10 @@ static void beam_logarithmic_outputs(size_t nblocks, const real *const *in, real
             const real t6 = t4 + t5;
             const real GAz = p[16 * 8 + j];
             const real l0 = p[0 * 8 + j];
-            const real t7 = 1.0 / l0 * (1.0 / l0);
+            const real t7 = 1.0 / l0;
+            const real t8 = t7 * t7;
             const real EIy = p[13 * 8 + j];
-            const real t8 = 1.0 / GAz * (EIy * t7);
+            const real t9 = 1.0 / GAz * (EIy * t8);
             const real q_z = x[9 * 8 + j];
             axis[50 * 8 + j] = q_z; /* axis(16,2) */
             const real p_z = x[2 * 8 + j];
@@ -11882,10 +11885,10 @@ static void beam_logarithmic_outputs(size_t nblocks, const real *const *in, real
             const real p_y = x[1 * 8 + j];
             axis[1 * 8 + j] = p_y; /* axis(0,1) */
             const real d_y = q_y - p_y;
-            const real t9 = u_p_2 * u_p_3;
-            const real t10 = u_p_0 * u_p_1;
-            const real t11 = t9 - t10;
-            const real dp_z = d_z * ez_p_z + 2.0 * (d_x * t6 + d_y * t11);
+            const real t10 = u_p_2 * u_p_3;
+            const real t11 = u_p_0 * u_p_1;
+            const real t12 = t10 - t11;
+            const real dp_z = d_z * ez_p_z + 2.0 * (d_x * t6 + d_y * t12);
             const real rq_l1 = x[11 * 8 + j];
             const real tq_2 = p[7 * 8 + j];
             const real rq_l0 = x[10 * 8 + j];
@@ -11903,140 +11906,139 @@ static void beam_logarithmic_outputs(size_t nblocks, const real *const *in, real
             const real sign = real_lt(r_0, 0.0) ? -1.0 : 1.0;
             const real r_1 = u_p_0 * u_q_1 + u_p_3 * u_q_2 - u_q_0 * u_p_1 - u_p_2 * u_q_3;
             const real r_2 = u_p_0 * u_q_2 + u_p_1 * u_q_3 - u_q_0 * u_p_2 - u_p_3 * u_q_1;
-            const real t12 = real_sqrt(r_3 * r_3 + r_2 * r_2 + r_1 * r_1 + r_0 * r_0);
-            const real halving = r_0 * sign + t12;
-            const real t13 = 1.0 / halving;
-            const real half_z = r_3 * sign * t13;
-            const real half_x = r_1 * sign * t13;
-            const real half_y = r_2 * sign * t13;
+            const real t13 = real_sqrt(r_3 * r_3 + r_2 * r_2 + r_1 * r_1 + r_0 * r_0);
+            const real halving = r_0 * sign + t13;
+            const real t14 = 1.0 / halving;
+            const real half_z = r_3 * sign * t14;
+            const real half_x = r_1 * sign * t14;
+            const real half_y = r_2 * sign * t14;
             const real square = half_x * half_x + half_y * half_y + half_z * half_z;
-            const real t14 = 1.0 + square;
-            const real t15 = 1.0 / t14;
-            const real t16 = u_p_0 * u_p_3;
-            const real t17 = u_p_1 * u_p_2;
-            const real t18 = t16 + t17;
-            const real t19 = t5 - t4;
-            const real dp_x = d_x * ex_p_x + 2.0 * (d_y * t18 + d_z * t19);
-            const real t20 = dp_x * half_y;
-            const real t21 = dp_x * half_z;
-            const real t22 = dp_z * half_x;
-            const real t23 = t21 - t22;
+            const real t15 = 1.0 + square;
+            const real t16 = 1.0 / t15;
+            const real t17 = u_p_0 * u_p_3;
+            const real t18 = u_p_1 * u_p_2;
+            const real t19 = t17 + t18;
+            const real t20 = t5 - t4;
+            const real dp_x = d_x * ex_p_x + 2.0 * (d_y * t19 + d_z * t20);
+            const real t21 = dp_x * half_y;
+            const real t22 = dp_x * half_z;
+            const real t23 = dp_z * half_x;
+            const real t24 = t22 - t23;
             const real ey_p_y = t0 + t2 - t1 - t3;
             across[1 * 8 + j] = ey_p_y; /* across(0,1) */
-            const real t24 = t17 - t16;
-            const real t25 = t10 + t9;
-            const real dp_y = d_y * ey_p_y + 2.0 * (d_x * t24 + d_z * t25);
-            const real t26 = dp_y * half_x;
-            const real t27 = dp_z * half_y;
-            const real t28 = dp_y * half_z;
-            const real t29 = t27 - t28;
-            const real t30 = t20 + half_x * t23 - t26 - half_y * t29;
-            const real t31 = real_sqrt(t14);
-            const real halving_0 = 1.0 + t31;
-            const real t32 = 1.0 / halving_0;
-            const real t33 = t32 * t32;
-            const real square_0 = square * t33;
-            const real t34 = real_sqrt(1.0 + square_0);
-            const real halving_1 = 1.0 + t34;
-            const real t35 = 1.0 / halving_1;
-            const real t36 = t35 * t35;
-            const real square_1 = square_0 * t36;
-            const real t37 = 0.047619047619047616 - 0.043478260869565216 * square_1;
-            const real t38 = square_1 * t37 - 0.05263157894736842;
-            const real t39 = 0.058823529411764705 + square_1 * t38;
-            const real t40 = square_1 * t39 - 0.06666666666666667;
-            const real t41 = 0.07692307692307693 + square_1 * t40;
-            const real t42 = square_1 * t41 - 0.09090909090909091;
-            const real t43 = 0.1111111111111111 + square_1 * t42;
-            const real t44 = square_1 * t43 - 0.14285714285714285;
-            const real t45 = 0.2 + square_1 * t44;
-            const real t46 = square_1 * t45 - 0.3333333333333333;
-            const real t47 = 1.0 + square_1 * t46;
-            const real t48 = t32 * t35;
-            const real t49 = t47 * t48;
-            const real t50 = half_z * t49;
-            const real t51 = half_x * t49;
-            const real t52 = half_y * t49;
-            const real t53 = t52 * t52 + t50 * t50;
-            const real turn_2 = 256.0 * t53 + 256.0 * t51 * t51;
-            const real t54 = 3.1001984126984127e-06 * turn_2;
-            const real t55 = 0.0005208333333333333 - t54;
-            const real shortening = l0 * (0.041666666666666664 - turn_2 * t55);
-            const real t56 = t51 * shortening;
-            const real straight_z = dp_z + 2.0 * t15 * t30 - 256.0 * t50 * t56;
-            const real t57 = t26 - t20;
-            const real t58 = t28 + half_y * t57 - t27 - half_z * t23;
-            const real straight_x = dp_x + 2.0 * t15 * t58 + 256.0 * t53 * shortening;
-            const real t59 = t22 + half_z * t29 - t21 - half_x * t57;
-            const real straight_y = dp_y + 2.0 * t15 * t59 - 256.0 * t52 * t56;
-            const real t60 = straight_x * straight_x + straight_y * straight_y + straight_z * straight_z;
-            const real straight_l = real_sqrt(t60);
-            const real t61 = 1.0 / (12.0 * (l0 * t8) + straight_l);
+            const real t25 = t18 - t17;
+            const real t26 = t11 + t10;
+            const real dp_y = d_y * ey_p_y + 2.0 * (d_x * t25 + d_z * t26);
+            const real t27 = dp_y * half_x;
+            const real t28 = dp_z * half_y;
+            const real t29 = dp_y * half_z;
+            const real t30 = t28 - t29;
+            const real t31 = t21 + half_x * t24 - t27 - half_y * t30;
+            const real t32 = real_sqrt(t15);
+            const real halving_0 = 1.0 + t32;
+            const real t33 = 1.0 / halving_0;
+            const real t34 = t33 * t33;
+            const real square_0 = square * t34;
+            const real t35 = real_sqrt(1.0 + square_0);
+            const real halving_1 = 1.0 + t35;
+            const real t36 = 1.0 / halving_1;
+            const real t37 = t36 * t36;
+            const real square_1 = square_0 * t37;
+            const real t38 = 0.047619047619047616 - 0.043478260869565216 * square_1;
+            const real t39 = square_1 * t38 - 0.05263157894736842;
+            const real t40 = 0.058823529411764705 + square_1 * t39;
+            const real t41 = square_1 * t40 - 0.06666666666666667;
+            const real t42 = 0.07692307692307693 + square_1 * t41;
+            const real t43 = square_1 * t42 - 0.09090909090909091;
+            const real t44 = 0.1111111111111111 + square_1 * t43;
+            const real t45 = square_1 * t44 - 0.14285714285714285;
+            const real t46 = 0.2 + square_1 * t45;
+            const real t47 = square_1 * t46 - 0.3333333333333333;
+            const real t48 = 1.0 + square_1 * t47;
+            const real t49 = t33 * t36;
+            const real t50 = t48 * t49;
+            const real t51 = half_z * t50;
+            const real t52 = half_x * t50;
+            const real t53 = half_y * t50;
+            const real t54 = t53 * t53 + t51 * t51;
+            const real turn_2 = 256.0 * t54 + 256.0 * t52 * t52;
+            const real t55 = 3.1001984126984127e-06 * turn_2;
+            const real t56 = 0.0005208333333333333 - t55;
+            const real shortening = l0 * (0.041666666666666664 - turn_2 * t56);
+            const real t57 = t52 * shortening;
+            const real straight_z = dp_z + 2.0 * t16 * t31 - 256.0 * t51 * t57;
+            const real t58 = t27 - t21;
+            const real t59 = t29 + half_y * t58 - t28 - half_z * t24;
+            const real straight_x = dp_x + 2.0 * t16 * t59 + 256.0 * t54 * shortening;
+            const real t60 = t23 + half_z * t30 - t22 - half_x * t58;
+            const real straight_y = dp_y + 2.0 * t16 * t60 - 256.0 * t53 * t57;
+            const real t61 = straight_x * straight_x + straight_y * straight_y + straight_z * straight_z;
+            const real straight_l = real_sqrt(t61);
+            const real t62 = 1.0 / (12.0 * (l0 * t9) + straight_l);
             const real sigma_torsion = sigma[1 * 8 + j];
-            const real t62 = l0 * sigma_torsion;
-            const real phi_z = 12.0 * t8;
+            const real t63 = l0 * sigma_torsion;
+            const real phi_z = 12.0 * t9;
             const real sigma_bend2 = sigma[3 * 8 + j];
-            const real t63 = l0 * sigma_bend2;
+            const real t64 = l0 * sigma_bend2;
             const real sigma_bend1 = sigma[2 * 8 + j];
-            const real t64 = l0 * sigma_bend1;
+            const real t65 = l0 * sigma_bend1;
             const real sigma_elongation = sigma[0 * 8 + j];
-            const real t65 = l0 * sigma_elongation;
-            const real t66 = straight_z * t61;
-            const real t67 = (1.0 + phi_z) * (t63 - t64) + 2.0 * (0.6 + phi_z) * t66 * t65;
+            const real t66 = l0 * sigma_elongation;
+            const real t67 = straight_z * t62;
+            const real t68 = (1.0 + phi_z) * (t64 - t65) + 2.0 * (0.6 + phi_z) * t67 * t66;
             const real sigma_bend4 = sigma[5 * 8 + j];
-            const real t68 = l0 * sigma_bend4;
+            const real t69 = l0 * sigma_bend4;
             const real sigma_bend3 = sigma[4 * 8 + j];
-            const real t69 = l0 * sigma_bend3;
-            const real t70 = t68 + t69;
-            const real t71 = t61 * (16.0 * t50 * t62 + t67 - 8.0 * t51 * t70);
+            const real t70 = l0 * sigma_bend3;
+            const real t71 = t69 + t70;
+            const real t72 = t62 * (16.0 * t51 * t63 + t68 - 8.0 * t52 * t71);
             const real GAy = p[15 * 8 + j];
             const real EIz = p[14 * 8 + j];
-            const real t72 = 1.0 / GAy * (EIz * t7);
-            const real t73 = 1.0 / (12.0 * (l0 * t72) + straight_l);
-            const real bow_z = straight_y * t73;
-            const real phi_y = 12.0 * t72;
-            const real t74 = (1.0 + phi_y) * (t69 - t68) + 2.0 * (0.6 + phi_y) * bow_z * t65;
-            const real t75 = t63 + t64;
-            const real t76 = t73 * (16.0 * t52 * t62 + t74 - 8.0 * t51 * t75);
-            const real t77 = 1.0 / straight_l * (t66 * t71 + bow_z * t76);
-            const real t78 = t71 - straight_z * t77;
-            const real t79 = t76 - straight_y * t77;
-            const real t80 = t15 * t79;
-            const real t81 = t15 * t78;
-            const real t82 = 0.5 * straight_x * t77;
-            const real t83 = sigma_elongation - t82 - t82;
-            const real t84 = t15 * t83;
-            const real t85 = half_z * t80 - half_y * t81 - t84;
-            const real t86 = half_x * t81 - half_z * t84 - t80;
-            const real t87 = t78 + 2.0 * (half_y * t85 - half_x * t86);
-            const real t88 = half_y * t84 - half_x * t80 - t81;
-            const real t89 = t79 + 2.0 * (half_x * t88 - half_z * t85);
-            const real t90 = t83 + 2.0 * (half_z * t86 - half_y * t88);
-            const real q_fx = 2.0 * (t6 * t87 + t24 * t89) + ex_p_x * t90;
-            const real q_fy = 2.0 * (t11 * t87 + t18 * t90) + ey_p_y * t89;
-            const real q_fz = 2.0 * (t25 * t89 + t19 * t90) + ez_p_z * t87;
-            force_p[0 * 8 + j] = ex_p_x * q_fx + 2.0 * (t18 * q_fy + t19 * q_fz);
-            force_p[1 * 8 + j] = ey_p_y * q_fy + 2.0 * (t24 * q_fx + t25 * q_fz);
-            force_p[2 * 8 + j] = ez_p_z * q_fz + 2.0 * (t6 * q_fx + t11 * q_fy);
-            const real t91 = 2.0 * d_x * t87;
-            const real t92 = 2.0 * d_z * t90;
-            const real t93 = t91 + t92;
-            const real t94 = 2.0 * d_x * t89;
-            const real t95 = 2.0 * d_y * t90;
-            const real t96 = t94 + t95;
-            const real t97 = 2.0 * d_z * t89;
-            const real t98 = 2.0 * d_y * t87;
-            const real t99 = t97 - t98;
-            const real t100 = t50 * t78 + t52 * t79;
-            const real t101 = l0 * (t54 - t55) * (256.0 * t53 * t83 - 256.0 * t51 * t100);
-            const real t102 = t101 + shortening * t83;
-            const real t103 = 0.5 * t70 + 32.0 * t50 * t102 + t66 * t62 - 16.0 * t56 * t78;
-            const real t104 = 0.5 * t75 + 32.0 * t52 * t102 + bow_z * t62 - 16.0 * t56 * t79;
-            const real t105 = t62 + 32.0 * t51 * t101 - 0.5 * (t66 * t70 + bow_z * t75);
-            const real t106 = t105 - 16.0 * shortening * t100;
-            const real t107 = half_y * t104 + half_x * t106 + half_z * t103;
-            const real t108 = t48 * t107;
-            const real t109 = square_1 * t108;
+            const real t73 = 1.0 / GAy * (EIz * t8);
+            const real t74 = 1.0 / (12.0 * (l0 * t73) + straight_l);
+            const real bow_z = straight_y * t74;
+            const real phi_y = 12.0 * t73;
+            const real t75 = (1.0 + phi_y) * (t70 - t69) + 2.0 * (0.6 + phi_y) * bow_z * t66;
+            const real t76 = t64 + t65;
+            const real t77 = t74 * (16.0 * t53 * t63 + t75 - 8.0 * t52 * t76);
+            const real t78 = 1.0 / straight_l * (t67 * t72 + bow_z * t77);
+            const real t79 = t72 - straight_z * t78;
+            const real t80 = t77 - straight_y * t78;
+            const real t81 = t16 * t80;
+            const real t82 = t16 * t79;
+            const real t83 = 0.5 * straight_x * t78;
+            const real t84 = sigma_elongation - t83 - t83;
+            const real t85 = t16 * t84;
+            const real t86 = half_z * t81 - half_y * t82 - t85;
+            const real t87 = half_x * t82 - half_z * t85 - t81;
+            const real t88 = t79 + 2.0 * (half_y * t86 - half_x * t87);
+            const real t89 = half_y * t85 - half_x * t81 - t82;
+            const real t90 = t80 + 2.0 * (half_x * t89 - half_z * t86);
+            const real t91 = t84 + 2.0 * (half_z * t87 - half_y * t89);
+            const real q_fx = 2.0 * (t6 * t88 + t25 * t90) + ex_p_x * t91;
+            const real q_fy = 2.0 * (t12 * t88 + t19 * t91) + ey_p_y * t90;
+            const real q_fz = 2.0 * (t26 * t90 + t20 * t91) + ez_p_z * t88;
+            force_p[0 * 8 + j] = ex_p_x * q_fx + 2.0 * (t19 * q_fy + t20 * q_fz);
+            force_p[1 * 8 + j] = ey_p_y * q_fy + 2.0 * (t25 * q_fx + t26 * q_fz);
+            force_p[2 * 8 + j] = ez_p_z * q_fz + 2.0 * (t6 * q_fx + t12 * q_fy);
+            const real t92 = 2.0 * d_x * t88;
+            const real t93 = 2.0 * d_z * t91;
+            const real t94 = t92 + t93;
+            const real t95 = 2.0 * d_x * t90;
+            const real t96 = 2.0 * d_y * t91;
+            const real t97 = t95 + t96;
+            const real t98 = 2.0 * d_z * t90;
+            const real t99 = 2.0 * d_y * t88;
+            const real t100 = t98 - t99;
+            const real t101 = t51 * t79 + t53 * t80;
+            const real t102 = l0 * (t55 - t56) * (256.0 * t54 * t84 - 256.0 * t52 * t101);
+            const real t103 = t102 + shortening * t84;
+            const real t104 = 0.5 * t71 + 32.0 * t51 * t103 + t67 * t63 - 16.0 * t57 * t79;
+            const real t105 = 0.5 * t76 + 32.0 * t53 * t103 + bow_z * t63 - 16.0 * t57 * t80;
+            const real t106 = t63 + 32.0 * t52 * t102 - 0.5 * (t67 * t71 + bow_z * t76);
+            const real t107 = t106 - 16.0 * shortening * t101;
+            const real t108 = half_y * t105 + half_x * t107 + half_z * t104;
+            const real t109 = t49 * t108;
             const real t110 = square_1 * t109;
             const real t111 = square_1 * t110;
             const real t112 = square_1 * t111;
@@ -12045,187 +12047,199 @@ static void beam_logarithmic_outputs(size_t nblocks, const real *const *in, real
             const real t115 = square_1 * t114;
             const real t116 = square_1 * t115;
             const real t117 = square_1 * t116;
-            const real t118 = t45 * t109 + t46 * t108 + t44 * t110 + t43 * t111 + t42 * t112;
-            const real t119 = t41 * t113 + t118 + t40 * t114 + t39 * t115 + t37 * t117 + t38 * t116;
-            const real t120 = 16.0 * t119 - 0.6956521739130435 * (square_1 * t117);
-            const real t121 = t47 * t107;
-            const real t122 = 1.0 / t34 * (2.0 * square_0 * t120 * t35 + 16.0 * t32 * t121);
-            const real t123 = t36 * (t120 - 0.5 * t122);
-            const real t124 = 1.0 / t31 * (2.0 * square * t123 * t32 + 16.0 * t35 * t121);
-            const real t125 = t33 * (t123 - 0.5 * t124) - 2.0 * t15 * t15 * (t59 * t79 + t58 * t83 + t30 * t78);
-            const real t126 = half_y * t125 + t57 * t84 + dp_z * t85 - t29 * t81 - dp_x * t88;
-            const real t127 = sign * (2.0 * t126 + 16.0 * t49 * t104);
-            const real t128 = half_z * t125 + t29 * t80 + dp_x * t86 - t23 * t84 - dp_y * t85;
-            const real t129 = sign * (2.0 * t128 + 16.0 * t49 * t103);
-            const real t130 = half_x * t125 + t23 * t81 + dp_y * t88 - t57 * t80 - dp_z * t86;
-            const real t131 = sign * (2.0 * t130 + 16.0 * t49 * t106);
-            const real t132 = t13 * t13 * (r_2 * t127 + r_1 * t131 + r_3 * t129);
-            const real t133 = 1.0 / t12 * t132;
-            const real t134 = t13 * t127 - r_2 * t133;
-            const real t135 = d_x * t90;
-            const real t136 = d_z * t87;
-            const real t137 = d_y * t89;
-            const real t138 = t136 + t137;
-            const real t139 = u_q_3 * t134 + 2.0 * u_p_1 * (t135 - t138) + u_p_0 * t99 + u_p_2 * t96;
-            const real t140 = t13 * t129 - r_3 * t133;
-            const real t141 = t13 * t131 - r_1 * t133;
-            const real t142 = r_0 * t133 + sign * t132;
-            const real t143 = u_p_3 * t93 + t139 - u_q_2 * t140 - u_q_0 * t141 - u_q_1 * t142;
-            const real t144 = t91 - t92;
-            const real t145 = t95 - t94;
-            const real t146 = u_q_3 * t140 + 2.0 * u_p_0 * (t135 + t138) + u_q_2 * t134;
-            const real t147 = u_q_1 * t141 + t146 + u_p_1 * t99 + u_p_3 * t145 + u_p_2 * t144;
-            const real t148 = t147 - u_q_0 * t142;
-            const real t149 = t98 + t97;
-            const real t150 = t136 - t137;
-            const real t151 = u_p_3 * t149 + u_q_1 * t140 + u_p_1 * t96 + u_p_0 * t144 - 2.0 * u_p_2 * (t135 + t150);
-            const real t152 = t151 - u_q_0 * t134 - u_q_3 * t141 - u_q_2 * t142;
-            const real t153 = u_q_2 * t141 + 2.0 * u_p_3 * (t150 - t135) + u_p_2 * t149;
-            const real t154 = u_p_0 * t145 + t153 + u_p_1 * t93 - u_q_0 * t140 - u_q_1 * t134;
-            const real t155 = t154 - u_q_3 * t142;
-            const real rp_fl0 = tp_2 * t152 + tp_3 * t155 + tp_0 * t148 + tp_1 * t143;
-            const real rp_fl1 = tp_2 * t155 + tp_0 * t143 - tp_3 * t152 - tp_1 * t148;
-            const real rp_fl2 = tp_0 * t152 + tp_3 * t143 - tp_1 * t155 - tp_2 * t148;
-            const real rp_fl3 = tp_0 * t155 + tp_1 * t152 - tp_2 * t143 - tp_3 * t148;
-            const real t156 = tp_0 * rp_fl0 - tp_1 * rp_fl1 - tp_2 * rp_fl2 - tp_3 * rp_fl3;
-            const real t157 = tp_3 * rp_fl0 + tp_2 * rp_fl1 + tp_0 * rp_fl3 - tp_1 * rp_fl2;
-            const real t158 = tp_1 * rp_fl0 + tp_0 * rp_fl1 + tp_3 * rp_fl2 - tp_2 * rp_fl3;
-            const real t159 = tp_2 * rp_fl0 + tp_0 * rp_fl2 + tp_1 * rp_fl3 - tp_3 * rp_fl1;
-            const real t160 = u_p_1 * t156 + u_p_2 * t157 - u_p_0 * t158 - u_p_3 * t159;
-            moment_p[0 * 8 + j] = 0.5 * t160;
-            const real t161 = u_p_2 * t156 + u_p_3 * t158 - u_p_0 * t159 - u_p_1 * t157;
-            moment_p[1 * 8 + j] = 0.5 * t161;
-            const real t162 = u_p_1 * t159 + u_p_3 * t156 - u_p_0 * t157 - u_p_2 * t158;
-            moment_p[2 * 8 + j] = 0.5 * t162;
-            const real t163 = u_q_0 * u_q_0;
-            const real t164 = u_q_1 * u_q_1;
-            const real t165 = u_q_2 * u_q_2;
-            const real t166 = u_q_3 * u_q_3;
-            const real ex_q_x = t163 + t164 - t165 - t166;
-            const real t167 = u_q_0 * u_q_3;
-            const real t168 = u_q_1 * u_q_2;
-            const real t169 = t167 + t168;
-            const real t170 = u_q_1 * u_q_3;
-            const real t171 = u_q_0 * u_q_2;
-            const real t172 = t170 - t171;
-            force_q[0 * 8 + j] = ex_q_x * q_fx + 2.0 * (t169 * q_fy + t172 * q_fz);
-            const real ey_q_y = t163 + t165 - t164 - t166;
+            const real t118 = square_1 * t117;
+            const real t119 = t46 * t110 + t47 * t109 + t45 * t111 + t44 * t112 + t43 * t113;
+            const real t120 = t42 * t114 + t119 + t41 * t115 + t40 * t116 + t38 * t118 + t39 * t117;
+            const real t121 = 16.0 * t120 - 0.6956521739130435 * (square_1 * t118);
+            const real t122 = t48 * t108;
+            const real t123 = 1.0 / t35 * (2.0 * square_0 * t121 * t36 + 16.0 * t33 * t122);
+            const real t124 = t37 * (t121 - 0.5 * t123);
+            const real t125 = 1.0 / t32 * (2.0 * square * t124 * t33 + 16.0 * t36 * t122);
+            const real t126 = t34 * (t124 - 0.5 * t125) - 2.0 * t16 * t16 * (t60 * t80 + t59 * t84 + t31 * t79);
+            const real t127 = half_y * t126 + t58 * t85 + dp_z * t86 - t30 * t82 - dp_x * t89;
+            const real t128 = sign * (2.0 * t127 + 16.0 * t50 * t105);
+            const real t129 = half_z * t126 + t30 * t81 + dp_x * t87 - t24 * t85 - dp_y * t86;
+            const real t130 = sign * (2.0 * t129 + 16.0 * t50 * t104);
+            const real t131 = half_x * t126 + t24 * t82 + dp_y * t89 - t58 * t81 - dp_z * t87;
+            const real t132 = sign * (2.0 * t131 + 16.0 * t50 * t107);
+            const real t133 = t14 * t14 * (r_2 * t128 + r_1 * t132 + r_3 * t130);
+            const real t134 = 1.0 / t13 * t133;
+            const real t135 = t14 * t128 - r_2 * t134;
+            const real t136 = d_x * t91;
+            const real t137 = d_z * t88;
+            const real t138 = d_y * t90;
+            const real t139 = t137 + t138;
+            const real t140 = u_q_3 * t135 + 2.0 * u_p_1 * (t136 - t139) + u_p_0 * t100;
+            const real t141 = t14 * t130 - r_3 * t134;
+            const real t142 = t14 * t132 - r_1 * t134;
+            const real t143 = u_p_2 * t97 + t140 + u_p_3 * t94 - u_q_2 * t141 - u_q_0 * t142;
+            const real t144 = r_0 * t134 + sign * t133;
+            const real t145 = t143 - u_q_1 * t144;
+            const real t146 = t92 - t93;
+            const real t147 = t96 - t95;
+            const real t148 = u_q_3 * t141 + 2.0 * u_p_0 * (t136 + t139) + u_q_2 * t135;
+            const real t149 = u_q_1 * t142 + t148 + u_p_1 * t100 + u_p_3 * t147 + u_p_2 * t146;
+            const real t150 = t149 - u_q_0 * t144;
+            const real t151 = t99 + t98;
+            const real t152 = t137 - t138;
+            const real t153 = u_p_3 * t151 + u_q_1 * t141 + u_p_1 * t97 + u_p_0 * t146 - 2.0 * u_p_2 * (t136 + t152);
+            const real t154 = t153 - u_q_0 * t135 - u_q_3 * t142 - u_q_2 * t144;
+            const real t155 = u_q_2 * t142 + 2.0 * u_p_3 * (t152 - t136) + u_p_2 * t151;
+            const real t156 = u_p_0 * t147 + t155 + u_p_1 * t94 - u_q_0 * t141 - u_q_1 * t135;
+            const real t157 = t156 - u_q_3 * t144;
+            const real rp_fl0 = tp_2 * t154 + tp_3 * t157 + tp_0 * t150 + tp_1 * t145;
+            const real rp_fl1 = tp_2 * t157 + tp_0 * t145 - tp_3 * t154 - tp_1 * t150;
+            const real rp_fl2 = tp_0 * t154 + tp_3 * t145 - tp_1 * t157 - tp_2 * t150;
+            const real rp_fl3 = tp_0 * t157 + tp_1 * t154 - tp_2 * t145 - tp_3 * t150;
+            const real t158 = tp_0 * rp_fl0 - tp_1 * rp_fl1 - tp_2 * rp_fl2 - tp_3 * rp_fl3;
+            const real t159 = tp_3 * rp_fl0 + tp_2 * rp_fl1 + tp_0 * rp_fl3 - tp_1 * rp_fl2;
+            const real t160 = tp_1 * rp_fl0 + tp_0 * rp_fl1 + tp_3 * rp_fl2 - tp_2 * rp_fl3;
+            const real t161 = tp_2 * rp_fl0 + tp_0 * rp_fl2 + tp_1 * rp_fl3 - tp_3 * rp_fl1;
+            const real t162 = u_p_1 * t158 + u_p_2 * t159 - u_p_0 * t160 - u_p_3 * t161;
+            moment_p[0 * 8 + j] = 0.5 * t162;
+            const real t163 = u_p_2 * t158 + u_p_3 * t160 - u_p_0 * t161 - u_p_1 * t159;
+            moment_p[1 * 8 + j] = 0.5 * t163;
+            const real t164 = u_p_1 * t161 + u_p_3 * t158 - u_p_0 * t159 - u_p_2 * t160;
+            moment_p[2 * 8 + j] = 0.5 * t164;
+            const real t165 = u_q_0 * u_q_0;
+            const real t166 = u_q_1 * u_q_1;
+            const real t167 = u_q_2 * u_q_2;
+            const real t168 = u_q_3 * u_q_3;
+            const real ex_q_x = t165 + t166 - t167 - t168;
+            const real t169 = u_q_0 * u_q_3;
+            const real t170 = u_q_1 * u_q_2;
+            const real t171 = t169 + t170;
+            const real t172 = u_q_1 * u_q_3;
+            const real t173 = u_q_0 * u_q_2;
+            const real t174 = t172 - t173;
+            force_q[0 * 8 + j] = ex_q_x * q_fx + 2.0 * (t171 * q_fy + t174 * q_fz);
+            const real ey_q_y = t165 + t167 - t166 - t168;
             across[4 * 8 + j] = ey_q_y; /* across(1,1) */
-            const real t173 = t168 - t167;
-            const real t174 = u_q_0 * u_q_1;
-            const real t175 = u_q_2 * u_q_3;
-            const real t176 = t174 + t175;
-            force_q[1 * 8 + j] = ey_q_y * q_fy + 2.0 * (t173 * q_fx + t176 * q_fz);
-            const real ez_q_z = t163 + t166 - t164 - t165;
-            force_q[2 * 8 + j] = ez_q_z * q_fz + 2.0 * ((t171 + t170) * q_fx + (t175 - t174) * q_fy);
-            const real t177 = u_p_0 * t134 + u_p_3 * t141 - u_p_1 * t140 - u_p_2 * t142;
-            const real t178 = u_p_2 * t140 + u_p_0 * t141 - u_p_3 * t134 - u_p_1 * t142;
-            const real t179 = u_p_2 * t134 + u_p_3 * t140 + u_p_0 * t142 + u_p_1 * t141;
-            const real t180 = u_p_0 * t140 + u_p_1 * t134 - u_p_2 * t141 - u_p_3 * t142;
-            const real rq_fl2 = tq_3 * t178 + tq_2 * t179 + tq_0 * t177 - tq_1 * t180;
-            const real rq_fl0 = tq_2 * t177 + tq_1 * t178 + tq_3 * t180 - tq_0 * t179;
-            const real rq_fl1 = tq_0 * t178 + tq_1 * t179 + tq_2 * t180 - tq_3 * t177;
-            const real rq_fl3 = tq_1 * t177 + tq_3 * t179 + tq_0 * t180 - tq_2 * t178;
-            const real t181 = tq_1 * rq_fl0 + tq_0 * rq_fl1 + tq_3 * rq_fl2 - tq_2 * rq_fl3;
-            const real t182 = tq_2 * rq_fl0 + tq_0 * rq_fl2 + tq_1 * rq_fl3 - tq_3 * rq_fl1;
-            const real t183 = tq_0 * rq_fl0 - tq_1 * rq_fl1 - tq_2 * rq_fl2 - tq_3 * rq_fl3;
-            const real t184 = tq_3 * rq_fl0 + tq_2 * rq_fl1 + tq_0 * rq_fl3 - tq_1 * rq_fl2;
-            const real t185 = u_q_0 * t181 + u_q_3 * t182 - u_q_1 * t183 - u_q_2 * t184;
-            moment_q[0 * 8 + j] = 0.5 * t185;
-            const real t186 = u_q_0 * t182 + u_q_1 * t184 - u_q_2 * t183 - u_q_3 * t181;
-            moment_q[1 * 8 + j] = 0.5 * t186;
-            const real t187 = u_q_0 * t184 + u_q_2 * t181 - u_q_1 * t182 - u_q_3 * t183;
-            moment_q[2 * 8 + j] = 0.5 * t187;
+            const real t175 = t170 - t169;
+            const real t176 = u_q_0 * u_q_1;
+            const real t177 = u_q_2 * u_q_3;
+            const real t178 = t176 + t177;
+            force_q[1 * 8 + j] = ey_q_y * q_fy + 2.0 * (t175 * q_fx + t178 * q_fz);
+            const real ez_q_z = t165 + t168 - t166 - t167;
+            force_q[2 * 8 + j] = ez_q_z * q_fz + 2.0 * ((t173 + t172) * q_fx + (t177 - t176) * q_fy);
+            const real t179 = u_p_0 * t135 + u_p_3 * t142 - u_p_1 * t141 - u_p_2 * t144;
+            const real t180 = u_p_2 * t141 + u_p_0 * t142 - u_p_3 * t135 - u_p_1 * t144;
+            const real t181 = u_p_2 * t135 + u_p_3 * t141 + u_p_0 * t144 + u_p_1 * t142;
+            const real t182 = u_p_0 * t141 + u_p_1 * t135 - u_p_2 * t142 - u_p_3 * t144;
+            const real rq_fl2 = tq_3 * t180 + tq_2 * t181 + tq_0 * t179 - tq_1 * t182;
+            const real rq_fl0 = tq_2 * t179 + tq_1 * t180 + tq_3 * t182 - tq_0 * t181;
+            const real rq_fl1 = tq_0 * t180 + tq_1 * t181 + tq_2 * t182 - tq_3 * t179;
+            const real rq_fl3 = tq_1 * t179 + tq_3 * t181 + tq_0 * t182 - tq_2 * t180;
+            const real t183 = tq_1 * rq_fl0 + tq_0 * rq_fl1 + tq_3 * rq_fl2 - tq_2 * rq_fl3;
+            const real t184 = tq_2 * rq_fl0 + tq_0 * rq_fl2 + tq_1 * rq_fl3 - tq_3 * rq_fl1;
+            const real t185 = tq_0 * rq_fl0 - tq_1 * rq_fl1 - tq_2 * rq_fl2 - tq_3 * rq_fl3;
+            const real t186 = tq_3 * rq_fl0 + tq_2 * rq_fl1 + tq_0 * rq_fl3 - tq_1 * rq_fl2;
+            const real t187 = u_q_0 * t183 + u_q_3 * t184 - u_q_1 * t185 - u_q_2 * t186;
+            moment_q[0 * 8 + j] = 0.5 * t187;
+            const real t188 = u_q_0 * t184 + u_q_1 * t186 - u_q_2 * t185 - u_q_3 * t183;
+            moment_q[1 * 8 + j] = 0.5 * t188;
+            const real t189 = u_q_0 * t186 + u_q_2 * t183 - u_q_1 * t184 - u_q_3 * t185;
+            moment_q[2 * 8 + j] = 0.5 * t189;
+            const real e_bend1 = e[2 * 8 + j];
+            const real e_bend2 = e[3 * 8 + j];
+            const real e_torsion = e[1 * 8 + j];
+            const real e_bend3 = e[4 * 8 + j];
+            const real e_bend4 = e[5 * 8 + j];
+            const real t190 = e_torsion * e_torsion + (e_bend3 + e_bend4) * (e_bend3 + e_bend4);
+            const real t191 = real_sqrt((e_bend1 + e_bend2) * (e_bend1 + e_bend2) + t190);
+            const real t192 = 57.29577951308232 * (t7 * t191);
+            turn_range[0 * 8 + j] = t192;
+            turn_range[1 * 8 + j] = 360.0 - t192;
             axis[3 * 8 + j] = 0.98876953125 * p_x + 0.01123046875 * q_x + l0 * (0.054931640625 * ex_p_x
                 - 0.003662109375 * ex_q_x); /* axis(1,0) */
-            axis[4 * 8 + j] = 0.98876953125 * p_y + 0.01123046875 * q_y + l0 * (0.10986328125 * t18 - 0.00732421875
-                * t169); /* axis(1,1) */
-            axis[5 * 8 + j] = 0.98876953125 * p_z + 0.01123046875 * q_z + l0 * (0.10986328125 * t19 - 0.00732421875
-                * t172); /* axis(1,2) */
+            axis[4 * 8 + j] = 0.98876953125 * p_y + 0.01123046875 * q_y + l0 * (0.10986328125 * t19 - 0.00732421875
+                * t171); /* axis(1,1) */
+            axis[5 * 8 + j] = 0.98876953125 * p_z + 0.01123046875 * q_z + l0 * (0.10986328125 * t20 - 0.00732421875
+                * t174); /* axis(1,2) */
             axis[6 * 8 + j] = 0.95703125 * p_x + 0.04296875 * q_x + l0 * (0.095703125 * ex_p_x - 0.013671875
                 * ex_q_x); /* axis(2,0) */
-            axis[7 * 8 + j] = 0.95703125 * p_y + 0.04296875 * q_y + l0 * (0.19140625 * t18 - 0.02734375 * t169);
+            axis[7 * 8 + j] = 0.95703125 * p_y + 0.04296875 * q_y + l0 * (0.19140625 * t19 - 0.02734375 * t171);
                 /* axis(2,1) */
-            axis[8 * 8 + j] = 0.95703125 * p_z + 0.04296875 * q_z + l0 * (0.19140625 * t19 - 0.02734375 * t172);
+            axis[8 * 8 + j] = 0.95703125 * p_z + 0.04296875 * q_z + l0 * (0.19140625 * t20 - 0.02734375 * t174);
                 /* axis(2,2) */
             axis[9 * 8 + j] = 0.90771484375 * p_x + 0.09228515625 * q_x + l0 * (0.123779296875 * ex_p_x
                 - 0.028564453125 * ex_q_x); /* axis(3,0) */
-            axis[10 * 8 + j] = 0.90771484375 * p_y + 0.09228515625 * q_y + l0 * (0.24755859375 * t18 - 0.05712890625
-                * t169); /* axis(3,1) */
-            axis[11 * 8 + j] = 0.90771484375 * p_z + 0.09228515625 * q_z + l0 * (0.24755859375 * t19 - 0.05712890625
-                * t172); /* axis(3,2) */
+            axis[10 * 8 + j] = 0.90771484375 * p_y + 0.09228515625 * q_y + l0 * (0.24755859375 * t19 - 0.05712890625
+                * t171); /* axis(3,1) */
+            axis[11 * 8 + j] = 0.90771484375 * p_z + 0.09228515625 * q_z + l0 * (0.24755859375 * t20 - 0.05712890625
+                * t174); /* axis(3,2) */
             axis[12 * 8 + j] = 0.84375 * p_x + 0.15625 * q_x + l0 * (0.140625 * ex_p_x - 0.046875 * ex_q_x);
                 /* axis(4,0) */
-            axis[13 * 8 + j] = 0.84375 * p_y + 0.15625 * q_y + l0 * (0.28125 * t18 - 0.09375 * t169); /* axis(4,1) */
-            axis[14 * 8 + j] = 0.84375 * p_z + 0.15625 * q_z + l0 * (0.28125 * t19 - 0.09375 * t172); /* axis(4,2) */
+            axis[13 * 8 + j] = 0.84375 * p_y + 0.15625 * q_y + l0 * (0.28125 * t19 - 0.09375 * t171); /* axis(4,1) */
+            axis[14 * 8 + j] = 0.84375 * p_z + 0.15625 * q_z + l0 * (0.28125 * t20 - 0.09375 * t174); /* axis(4,2) */
             axis[15 * 8 + j] = 0.76806640625 * p_x + 0.23193359375 * q_x + l0 * (0.147705078125 * ex_p_x
                 - 0.067138671875 * ex_q_x); /* axis(5,0) */
-            axis[16 * 8 + j] = 0.76806640625 * p_y + 0.23193359375 * q_y + l0 * (0.29541015625 * t18 - 0.13427734375
-                * t169); /* axis(5,1) */
-            axis[17 * 8 + j] = 0.76806640625 * p_z + 0.23193359375 * q_z + l0 * (0.29541015625 * t19 - 0.13427734375
-                * t172); /* axis(5,2) */
+            axis[16 * 8 + j] = 0.76806640625 * p_y + 0.23193359375 * q_y + l0 * (0.29541015625 * t19 - 0.13427734375
+                * t171); /* axis(5,1) */
+            axis[17 * 8 + j] = 0.76806640625 * p_z + 0.23193359375 * q_z + l0 * (0.29541015625 * t20 - 0.13427734375
+                * t174); /* axis(5,2) */
             axis[18 * 8 + j] = 0.68359375 * p_x + 0.31640625 * q_x + l0 * (0.146484375 * ex_p_x - 0.087890625
                 * ex_q_x); /* axis(6,0) */
-            axis[19 * 8 + j] = 0.68359375 * p_y + 0.31640625 * q_y + l0 * (0.29296875 * t18 - 0.17578125 * t169);
+            axis[19 * 8 + j] = 0.68359375 * p_y + 0.31640625 * q_y + l0 * (0.29296875 * t19 - 0.17578125 * t171);
                 /* axis(6,1) */
-            axis[20 * 8 + j] = 0.68359375 * p_z + 0.31640625 * q_z + l0 * (0.29296875 * t19 - 0.17578125 * t172);
+            axis[20 * 8 + j] = 0.68359375 * p_z + 0.31640625 * q_z + l0 * (0.29296875 * t20 - 0.17578125 * t174);
                 /* axis(6,2) */
             axis[21 * 8 + j] = 0.59326171875 * p_x + 0.40673828125 * q_x + l0 * (0.138427734375 * ex_p_x
                 - 0.107666015625 * ex_q_x); /* axis(7,0) */
-            axis[22 * 8 + j] = 0.59326171875 * p_y + 0.40673828125 * q_y + l0 * (0.27685546875 * t18 - 0.21533203125
-                * t169); /* axis(7,1) */
-            axis[23 * 8 + j] = 0.59326171875 * p_z + 0.40673828125 * q_z + l0 * (0.27685546875 * t19 - 0.21533203125
-                * t172); /* axis(7,2) */
+            axis[22 * 8 + j] = 0.59326171875 * p_y + 0.40673828125 * q_y + l0 * (0.27685546875 * t19 - 0.21533203125
+                * t171); /* axis(7,1) */
+            axis[23 * 8 + j] = 0.59326171875 * p_z + 0.40673828125 * q_z + l0 * (0.27685546875 * t20 - 0.21533203125
+                * t174); /* axis(7,2) */
             axis[24 * 8 + j] = 0.5 * (p_x + q_x) + 0.125 * l0 * (ex_p_x - ex_q_x); /* axis(8,0) */
-            axis[25 * 8 + j] = 0.5 * (p_y + q_y) + 0.25 * l0 * (t18 - t169); /* axis(8,1) */
-            axis[26 * 8 + j] = 0.5 * (p_z + q_z) + 0.25 * l0 * (t19 - t172); /* axis(8,2) */
+            axis[25 * 8 + j] = 0.5 * (p_y + q_y) + 0.25 * l0 * (t19 - t171); /* axis(8,1) */
+            axis[26 * 8 + j] = 0.5 * (p_z + q_z) + 0.25 * l0 * (t20 - t174); /* axis(8,2) */
             axis[27 * 8 + j] = 0.40673828125 * p_x + 0.59326171875 * q_x + l0 * (0.107666015625 * ex_p_x
                 - 0.138427734375 * ex_q_x); /* axis(9,0) */
-            axis[28 * 8 + j] = 0.40673828125 * p_y + 0.59326171875 * q_y + l0 * (0.21533203125 * t18 - 0.27685546875
-                * t169); /* axis(9,1) */
-            axis[29 * 8 + j] = 0.40673828125 * p_z + 0.59326171875 * q_z + l0 * (0.21533203125 * t19 - 0.27685546875
-                * t172); /* axis(9,2) */
+            axis[28 * 8 + j] = 0.40673828125 * p_y + 0.59326171875 * q_y + l0 * (0.21533203125 * t19 - 0.27685546875
+                * t171); /* axis(9,1) */
+            axis[29 * 8 + j] = 0.40673828125 * p_z + 0.59326171875 * q_z + l0 * (0.21533203125 * t20 - 0.27685546875
+                * t174); /* axis(9,2) */
             axis[30 * 8 + j] = 0.31640625 * p_x + 0.68359375 * q_x + l0 * (0.087890625 * ex_p_x - 0.146484375
                 * ex_q_x); /* axis(10,0) */
-            axis[31 * 8 + j] = 0.31640625 * p_y + 0.68359375 * q_y + l0 * (0.17578125 * t18 - 0.29296875 * t169);
+            axis[31 * 8 + j] = 0.31640625 * p_y + 0.68359375 * q_y + l0 * (0.17578125 * t19 - 0.29296875 * t171);
                 /* axis(10,1) */
-            axis[32 * 8 + j] = 0.31640625 * p_z + 0.68359375 * q_z + l0 * (0.17578125 * t19 - 0.29296875 * t172);
+            axis[32 * 8 + j] = 0.31640625 * p_z + 0.68359375 * q_z + l0 * (0.17578125 * t20 - 0.29296875 * t174);
                 /* axis(10,2) */
             axis[33 * 8 + j] = 0.23193359375 * p_x + 0.76806640625 * q_x + l0 * (0.067138671875 * ex_p_x
                 - 0.147705078125 * ex_q_x); /* axis(11,0) */
-            axis[34 * 8 + j] = 0.23193359375 * p_y + 0.76806640625 * q_y + l0 * (0.13427734375 * t18 - 0.29541015625
-                * t169); /* axis(11,1) */
-            axis[35 * 8 + j] = 0.23193359375 * p_z + 0.76806640625 * q_z + l0 * (0.13427734375 * t19 - 0.29541015625
-                * t172); /* axis(11,2) */
+            axis[34 * 8 + j] = 0.23193359375 * p_y + 0.76806640625 * q_y + l0 * (0.13427734375 * t19 - 0.29541015625
+                * t171); /* axis(11,1) */
+            axis[35 * 8 + j] = 0.23193359375 * p_z + 0.76806640625 * q_z + l0 * (0.13427734375 * t20 - 0.29541015625
+                * t174); /* axis(11,2) */
             axis[36 * 8 + j] = 0.15625 * p_x + 0.84375 * q_x + l0 * (0.046875 * ex_p_x - 0.140625 * ex_q_x);
                 /* axis(12,0) */
-            axis[37 * 8 + j] = 0.15625 * p_y + 0.84375 * q_y + l0 * (0.09375 * t18 - 0.28125 * t169); /* axis(12,1) */
-            axis[38 * 8 + j] = 0.15625 * p_z + 0.84375 * q_z + l0 * (0.09375 * t19 - 0.28125 * t172); /* axis(12,2) */
+            axis[37 * 8 + j] = 0.15625 * p_y + 0.84375 * q_y + l0 * (0.09375 * t19 - 0.28125 * t171); /* axis(12,1) */
+            axis[38 * 8 + j] = 0.15625 * p_z + 0.84375 * q_z + l0 * (0.09375 * t20 - 0.28125 * t174); /* axis(12,2) */
             axis[39 * 8 + j] = 0.09228515625 * p_x + 0.90771484375 * q_x + l0 * (0.028564453125 * ex_p_x
                 - 0.123779296875 * ex_q_x); /* axis(13,0) */
-            axis[40 * 8 + j] = 0.09228515625 * p_y + 0.90771484375 * q_y + l0 * (0.05712890625 * t18 - 0.24755859375
-                * t169); /* axis(13,1) */
-            axis[41 * 8 + j] = 0.09228515625 * p_z + 0.90771484375 * q_z + l0 * (0.05712890625 * t19 - 0.24755859375
-                * t172); /* axis(13,2) */
+            axis[40 * 8 + j] = 0.09228515625 * p_y + 0.90771484375 * q_y + l0 * (0.05712890625 * t19 - 0.24755859375
+                * t171); /* axis(13,1) */
+            axis[41 * 8 + j] = 0.09228515625 * p_z + 0.90771484375 * q_z + l0 * (0.05712890625 * t20 - 0.24755859375
+                * t174); /* axis(13,2) */
             axis[42 * 8 + j] = 0.04296875 * p_x + 0.95703125 * q_x + l0 * (0.013671875 * ex_p_x - 0.095703125
                 * ex_q_x); /* axis(14,0) */
-            axis[43 * 8 + j] = 0.04296875 * p_y + 0.95703125 * q_y + l0 * (0.02734375 * t18 - 0.19140625 * t169);
+            axis[43 * 8 + j] = 0.04296875 * p_y + 0.95703125 * q_y + l0 * (0.02734375 * t19 - 0.19140625 * t171);
                 /* axis(14,1) */
-            axis[44 * 8 + j] = 0.04296875 * p_z + 0.95703125 * q_z + l0 * (0.02734375 * t19 - 0.19140625 * t172);
+            axis[44 * 8 + j] = 0.04296875 * p_z + 0.95703125 * q_z + l0 * (0.02734375 * t20 - 0.19140625 * t174);
                 /* axis(14,2) */
             axis[45 * 8 + j] = 0.01123046875 * p_x + 0.98876953125 * q_x + l0 * (0.003662109375 * ex_p_x
                 - 0.054931640625 * ex_q_x); /* axis(15,0) */
-            axis[46 * 8 + j] = 0.01123046875 * p_y + 0.98876953125 * q_y + l0 * (0.00732421875 * t18 - 0.10986328125
-                * t169); /* axis(15,1) */
-            axis[47 * 8 + j] = 0.01123046875 * p_z + 0.98876953125 * q_z + l0 * (0.00732421875 * t19 - 0.10986328125
-                * t172); /* axis(15,2) */
-            const real ey_p_x = 2.0 * t24;
+            axis[46 * 8 + j] = 0.01123046875 * p_y + 0.98876953125 * q_y + l0 * (0.00732421875 * t19 - 0.10986328125
+                * t171); /* axis(15,1) */
+            axis[47 * 8 + j] = 0.01123046875 * p_z + 0.98876953125 * q_z + l0 * (0.00732421875 * t20 - 0.10986328125
+                * t174); /* axis(15,2) */
+            const real ey_p_x = 2.0 * t25;
             across[0 * 8 + j] = ey_p_x; /* across(0,0) */
-            const real ey_p_z = 2.0 * t25;
+            const real ey_p_z = 2.0 * t26;
             across[2 * 8 + j] = ey_p_z; /* across(0,2) */
-            const real ey_q_x = 2.0 * t173;
+            const real ey_q_x = 2.0 * t175;
             across[3 * 8 + j] = ey_q_x; /* across(1,0) */
-            const real ey_q_z = 2.0 * t176;
+            const real ey_q_z = 2.0 * t178;
             across[5 * 8 + j] = ey_q_z; /* across(1,2) */
         }
     }
@@ -12233,7 +12247,7 @@ static void beam_logarithmic_outputs(size_t nblocks, const real *const *in, real
 
 const flexel_element flexel_beam_logarithmic = {
     .name = "beam_logarithmic",
-    .digest = "296589920ef4198e",
+    .digest = "689da5880db845bf",
     .n = 14,
     .m = 6,
     .k = 0,

@@ -28,7 +28,9 @@
  * axis: places on the cubic axis; across: ey_p, ey_q
  * bimoment_p = -f_wp, bimoment_q = f_wq
  * shear_angle = |(phi_z/(1 + phi_z) (bend1 - bend2), phi_y/(1 + phi_y) (bend3 - bend4))|/(2 l0)
- * turn_cosines = ex_p.el, ex_q.el, (ey_p.ey_q + ez_p.ez_q)/2
+ * ranges [degrees, %]: bend = angle(ex_p, el) + angle(ex_q, el), 1 - sin(bend)/bend; twist = angle with the sine
+ *    (ez_p.ey_q - ey_p.ez_q)/2 and the cosine (ey_p.ey_q + ez_p.ez_q)/2, 1 - sin(2 twist)/(2 twist);
+ *    shear_angle, sin(shear_angle)^2
  *
  * Source: Vlasov 1961, Thin-walled elastic beams; Wagner 1929 (twist and axial force); Jonker 2021 (warping
  *   coordinates)
@@ -7943,10 +7945,10 @@ static void beam_warping_tangent(size_t nblocks, const real *const *in, real *co
     }
 }
 
-/* outputs: 1099 operations.
+/* outputs: 1168 operations.
  * in:  x (16), sigma (8), tau (0), p (22)
  * out: force_p (3), moment_p (3), bimoment_p (1), force_q (3), moment_q (3), bimoment_q (1), shear_angle (1),
- *   turn_cosines (3), axis (17,3), across (2,3) */
+ *   bend_range (2), twist_range (2), shear_range (2), axis (17,3), across (2,3) */
 FLEXEL_CLONES
 static void beam_warping_outputs(size_t nblocks, const real *const *in, real *const *out)
 {
@@ -7961,9 +7963,13 @@ static void beam_warping_outputs(size_t nblocks, const real *const *in, real *co
         real *restrict moment_q = out[4] + b * (3 * 8);
         real *restrict bimoment_q = out[5] + b * (1 * 8);
         real *restrict shear_angle = out[6] + b * (1 * 8);
-        real *restrict turn_cosines = out[7] + b * (3 * 8);
-        real *restrict axis = out[8] + b * (51 * 8);
-        real *restrict across = out[9] + b * (6 * 8);
+        real *restrict bend_range = out[7] + b * (2 * 8);
+        real *restrict twist_range = out[8] + b * (2 * 8);
+        real *restrict shear_range = out[9] + b * (2 * 8);
+        real *restrict axis = out[10] + b * (51 * 8);
+        real *restrict across = out[11] + b * (6 * 8);
+        real t140[8], t147[8], t148[8], t149[8], t156[8], t157[8], t158[8], t159[8], t160[8], t161[8], t162[8],
+            t163[8], t164[8], t165[8], t166[8], t167[8], t168[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real rp_l0 = x[3 * 8 + j];
@@ -8033,279 +8039,328 @@ static void beam_warping_outputs(size_t nblocks, const real *const *in, real *co
             const real t19 = u_q_0 * u_q_2;
             const real t20 = u_q_1 * u_q_3;
             const real t21 = t19 + t20;
-            const real t22 = u_p_2 * u_p_3;
-            const real t23 = u_p_0 * u_p_1;
-            const real t24 = t22 - t23;
+            const real t22 = t12 * t15 - t18 * t21;
+            const real t23 = u_p_2 * u_p_3;
+            const real t24 = u_p_0 * u_p_1;
+            const real t25 = t23 - t24;
+            const real t26 = t25 * ey_q_y;
             const real ez_p_z = t0 + t3 - t1 - t2;
-            const real t25 = u_q_0 * u_q_1;
-            const real t26 = u_q_2 * u_q_3;
-            const real t27 = t25 + t26;
+            const real t27 = u_q_0 * u_q_1;
+            const real t28 = u_q_2 * u_q_3;
+            const real t29 = t27 + t28;
+            const real t30 = ez_p_z * t29;
             const real ey_p_y = t0 + t2 - t1 - t3;
             across[1 * 8 + j] = ey_p_y; /* across(0,1) */
-            const real t28 = t26 - t25;
-            const real t29 = t23 + t22;
+            const real t31 = t28 - t27;
+            const real t32 = ey_p_y * t31;
+            const real t33 = t24 + t23;
             const real ez_q_z = t5 + t8 - t7 - t6;
-            const real t30 = t24 * ey_q_y + ez_p_z * t27 - ey_p_y * t28 - t29 * ez_q_z;
-            const real t31 = l0 * (4.0 * (t12 * t15 - t18 * t21) + 2.0 * t30);
-            const real b2 = 0.5 * t31;
+            const real t34 = t33 * ez_q_z;
+            const real t35 = l0 * (4.0 * t22 + 2.0 * (t26 + t30 - t32 - t34));
+            const real b2 = 0.5 * t35;
             const real b8 = wq_twist * t9 - b2;
-            const real t32 = 1.0 / l0;
+            const real t36 = 1.0 / l0;
             const real sigma_bend2 = sigma[3 * 8 + j];
-            const real t33 = t32 * sigma_bend2;
+            const real t37 = t36 * sigma_bend2;
             const real el_y = d_y * t4;
             const real el_x = d_x * t4;
             const real el_z = d_z * t4;
-            const real t34 = ey_q_y * el_y + 2.0 * (t15 * el_x + t27 * el_z);
-            const real t35 = l0 * t34;
+            const real t38 = ey_q_y * el_y + 2.0 * (t15 * el_x + t29 * el_z);
+            const real t39 = l0 * t38;
             const real sigma_elongation = sigma[0 * 8 + j];
-            const real t36 = t32 * sigma_elongation;
-            const real t37 = t35 * t36;
+            const real t40 = t36 * sigma_elongation;
+            const real t41 = t39 * t40;
             const real sigma_bend4 = sigma[5 * 8 + j];
-            const real t38 = 0.1 * (b8 * t33) + 0.13333333333333333 * t37 - sigma_bend4;
-            const real t39 = ez_p_z * el_z + 2.0 * (t12 * el_x + t24 * el_y);
-            const real t40 = l0 * t39;
+            const real t42 = 0.1 * (b8 * t37) + 0.13333333333333333 * t41 - sigma_bend4;
+            const real t43 = ez_p_z * el_z + 2.0 * (t12 * el_x + t25 * el_y);
+            const real t44 = l0 * t43;
             const real sigma_torsion = sigma[1 * 8 + j];
             const real sigma_warp1 = sigma[6 * 8 + j];
             const real sigma_warp2 = sigma[7 * 8 + j];
-            const real t41 = t32 * (sigma_torsion - sigma_warp1 - sigma_warp2);
-            const real t42 = ey_p_y * el_y + 2.0 * (t18 * el_x + t29 * el_z);
-            const real b5 = l0 * t42;
-            const real t43 = b5 * t36;
+            const real t45 = t36 * (sigma_torsion - sigma_warp1 - sigma_warp2);
+            const real t46 = ey_p_y * el_y + 2.0 * (t18 * el_x + t33 * el_z);
+            const real b5 = l0 * t46;
+            const real t47 = b5 * t40;
             const real sigma_bend1 = sigma[2 * 8 + j];
-            const real t44 = t32 * sigma_bend1;
-            const real t45 = t44 - t33;
+            const real t48 = t36 * sigma_bend1;
+            const real t49 = t48 - t37;
             const real wp_twist = x[14 * 8 + j];
             const real b7 = wp_twist * t9 - b2;
-            const real t46 = 0.08333333333333333 * (t31 * t45) + 0.03333333333333333 * (b7 * t33 - b8 * t44);
-            const real t47 = l0 * t46;
-            const real t48 = l0 * (t38 - t40 * t41 - 0.03333333333333333 * t43) - t47;
-            const real t49 = ez_q_z * el_z + 2.0 * (t21 * el_x + t28 * el_y);
-            const real b4 = l0 * t49;
+            const real t50 = 0.08333333333333333 * (t35 * t49) + 0.03333333333333333 * (b7 * t37 - b8 * t48);
+            const real t51 = l0 * t50;
+            const real t52 = l0 * (t42 - t44 * t45 - 0.03333333333333333 * t47) - t51;
+            const real t53 = ez_q_z * el_z + 2.0 * (t21 * el_x + t31 * el_y);
+            const real b4 = l0 * t53;
             const real sigma_bend3 = sigma[4 * 8 + j];
-            const real t50 = 0.1 * (b7 * t44) + b4 * t41 + sigma_bend3 + 0.13333333333333333 * t43;
-            const real t51 = t47 + l0 * (t50 - 0.03333333333333333 * t37);
-            const real t52 = t32 * sigma_bend4;
-            const real t53 = t32 * sigma_bend3;
-            const real t54 = t52 - t53;
-            const real t55 = 0.08333333333333333 * (t31 * t54) + 0.03333333333333333 * (b8 * t53 - b7 * t52);
-            const real t56 = l0 * t55;
-            const real t57 = b4 * t36;
-            const real t58 = 0.1 * (b8 * t52) + b5 * t41 + sigma_bend2 + 0.13333333333333333 * t57;
-            const real t59 = t40 * t36;
-            const real t60 = t56 + l0 * (t58 - 0.03333333333333333 * t59);
-            const real t61 = 0.1 * (b7 * t53) + 0.13333333333333333 * t59 - sigma_bend1;
-            const real t62 = l0 * (t61 - t35 * t41 - 0.03333333333333333 * t57) - t56;
-            const real t63 = ey_p_y * t51 + 2.0 * (t28 * t60 + t24 * t62) + ey_q_y * t48;
-            const real t64 = t12 * t62 + t21 * t60 + t15 * t48 + t18 * t51;
-            const real t65 = ez_p_z * t62 + 2.0 * (t27 * t48 + t29 * t51) + ez_q_z * t60;
-            const real t66 = sigma_elongation - t4 * t4 * (2.0 * d_x * t64 + d_z * t65 + d_y * t63);
-            const real t67 = t4 * t66;
-            const real q_fx = d_x * t67 + 2.0 * t4 * t64;
-            const real t68 = t17 + t16;
-            const real q_fy = d_y * t67 + t4 * t63;
-            const real t69 = t11 - t10;
-            const real q_fz = d_z * t67 + t4 * t65;
-            force_p[0 * 8 + j] = ex_p_x * q_fx + 2.0 * (t68 * q_fy + t69 * q_fz);
-            force_p[1 * 8 + j] = ey_p_y * q_fy + 2.0 * (t18 * q_fx + t29 * q_fz);
-            force_p[2 * 8 + j] = ez_p_z * q_fz + 2.0 * (t12 * q_fx + t24 * q_fy);
+            const real t54 = 0.1 * (b7 * t48) + b4 * t45 + sigma_bend3 + 0.13333333333333333 * t47;
+            const real t55 = t51 + l0 * (t54 - 0.03333333333333333 * t41);
+            const real t56 = t36 * sigma_bend4;
+            const real t57 = t36 * sigma_bend3;
+            const real t58 = t56 - t57;
+            const real t59 = 0.08333333333333333 * (t35 * t58) + 0.03333333333333333 * (b8 * t57 - b7 * t56);
+            const real t60 = l0 * t59;
+            const real t61 = b4 * t40;
+            const real t62 = 0.1 * (b8 * t56) + b5 * t45 + sigma_bend2 + 0.13333333333333333 * t61;
+            const real t63 = t44 * t40;
+            const real t64 = t60 + l0 * (t62 - 0.03333333333333333 * t63);
+            const real t65 = 0.1 * (b7 * t57) + 0.13333333333333333 * t63 - sigma_bend1;
+            const real t66 = l0 * (t65 - t39 * t45 - 0.03333333333333333 * t61) - t60;
+            const real t67 = ey_p_y * t55 + 2.0 * (t31 * t64 + t25 * t66) + ey_q_y * t52;
+            const real t68 = t12 * t66 + t21 * t64 + t15 * t52 + t18 * t55;
+            const real t69 = ez_p_z * t66 + 2.0 * (t29 * t52 + t33 * t55) + ez_q_z * t64;
+            const real t70 = sigma_elongation - t4 * t4 * (2.0 * d_x * t68 + d_z * t69 + d_y * t67);
+            const real t71 = t4 * t70;
+            const real q_fx = d_x * t71 + 2.0 * t4 * t68;
+            const real t72 = t17 + t16;
+            const real q_fy = d_y * t71 + t4 * t67;
+            const real t73 = t11 - t10;
+            const real q_fz = d_z * t71 + t4 * t69;
+            force_p[0 * 8 + j] = ex_p_x * q_fx + 2.0 * (t72 * q_fy + t73 * q_fz);
+            force_p[1 * 8 + j] = ey_p_y * q_fy + 2.0 * (t18 * q_fx + t33 * q_fz);
+            force_p[2 * 8 + j] = ez_p_z * q_fz + 2.0 * (t12 * q_fx + t25 * q_fy);
             const real EA = p[14 * 8 + j];
             const real EIy = p[15 * 8 + j];
             const real EIz = p[16 * 8 + j];
             const real polar = 1.0 / EA * (EIy + EIz);
-            const real t70 = t32 * t32;
-            const real t71 = t70 * sigma_elongation * polar * t32;
-            const real t72 = l0 * (t49 - t39);
-            const real t73 = l0 * (t42 - t34);
-            const real t74 = b7 * t71;
-            const real t75 = b8 * t71;
-            const real t76 = sigma_warp2 + 0.13333333333333333 * t75 + 0.03333333333333333 * (t72 * t53 - t73 * t44
-                - t74);
-            const real t77 = 0.1 * (b4 * t52 + t35 * t33) + t76;
-            const real t78 = sigma_warp1 + 0.13333333333333333 * t74 + 0.03333333333333333 * (t73 * t33 - t72 * t52
-                - t75);
-            const real t79 = 0.1 * (t40 * t53 + b5 * t44) + t78;
-            const real t80 = 0.5 * (sigma_torsion - t77 - t79) + 0.08333333333333333 * (t72 * t54 + t73 * t45);
-            const real t81 = l0 * (0.25 * t31 * t71 + t80);
-            const real t82 = 2.0 * el_x * t62 + 4.0 * t15 * t81;
-            const real t83 = 2.0 * el_x * t51 - 4.0 * t21 * t81;
-            const real t84 = 2.0 * (el_y * t62 + ey_q_y * t81);
-            const real t85 = 2.0 * (el_z * t51 - ez_q_z * t81);
-            const real t86 = t84 + t85;
-            const real t87 = el_z * t62 + 2.0 * t27 * t81;
-            const real t88 = el_y * t51 - 2.0 * t28 * t81;
-            const real t89 = t87 - t88;
-            const real t90 = u_p_1 * t83 + u_p_3 * t86 + u_p_0 * t82 - 2.0 * u_p_2 * t89;
-            const real t91 = u_p_1 * t82 + 2.0 * u_p_3 * t89 + u_p_2 * t86 - u_p_0 * t83;
-            const real t92 = t85 - t84;
-            const real t93 = t87 + t88;
-            const real t94 = u_p_2 * t82 + 2.0 * u_p_0 * t93 + u_p_1 * t92 - u_p_3 * t83;
-            const real t95 = u_p_2 * t83 + u_p_0 * t92 + u_p_3 * t82 - 2.0 * u_p_1 * t93;
-            const real rp_fl0 = tp_0 * t94 + tp_1 * t95 + tp_3 * t91 + tp_2 * t90;
-            const real rp_fl1 = tp_2 * t91 + tp_0 * t95 - tp_3 * t90 - tp_1 * t94;
-            const real rp_fl2 = tp_0 * t90 + tp_3 * t95 - tp_1 * t91 - tp_2 * t94;
-            const real rp_fl3 = tp_0 * t91 + tp_1 * t90 - tp_2 * t95 - tp_3 * t94;
-            const real t96 = tp_0 * rp_fl0 - tp_1 * rp_fl1 - tp_2 * rp_fl2 - tp_3 * rp_fl3;
-            const real t97 = tp_2 * rp_fl1 + tp_0 * rp_fl3 + tp_3 * rp_fl0 - tp_1 * rp_fl2;
-            const real t98 = tp_0 * rp_fl1 + tp_3 * rp_fl2 + tp_1 * rp_fl0 - tp_2 * rp_fl3;
-            const real t99 = tp_0 * rp_fl2 + tp_1 * rp_fl3 + tp_2 * rp_fl0 - tp_3 * rp_fl1;
-            moment_p[0 * 8 + j] = 0.5 * (u_p_1 * t96 + u_p_2 * t97 - u_p_0 * t98 - u_p_3 * t99);
-            moment_p[1 * 8 + j] = 0.5 * (u_p_2 * t96 + u_p_3 * t98 - u_p_0 * t99 - u_p_1 * t97);
-            moment_p[2 * 8 + j] = 0.5 * (u_p_1 * t99 + u_p_3 * t96 - u_p_0 * t97 - u_p_2 * t98);
-            const real wp_ftwist = t9 * t79;
+            const real t74 = t36 * t36;
+            const real t75 = t74 * sigma_elongation * polar * t36;
+            const real t76 = l0 * (t53 - t43);
+            const real t77 = l0 * (t46 - t38);
+            const real t78 = b7 * t75;
+            const real t79 = b8 * t75;
+            const real t80 = sigma_warp2 + 0.13333333333333333 * t79 + 0.03333333333333333 * (t76 * t57 - t77 * t48
+                - t78);
+            const real t81 = 0.1 * (b4 * t56 + t39 * t37) + t80;
+            const real t82 = sigma_warp1 + 0.13333333333333333 * t78 + 0.03333333333333333 * (t77 * t37 - t76 * t56
+                - t79);
+            const real t83 = 0.1 * (t44 * t57 + b5 * t48) + t82;
+            const real t84 = 0.5 * (sigma_torsion - t81 - t83) + 0.08333333333333333 * (t76 * t58 + t77 * t49);
+            const real t85 = l0 * (0.25 * t35 * t75 + t84);
+            const real t86 = 2.0 * el_x * t66 + 4.0 * t15 * t85;
+            const real t87 = 2.0 * el_x * t55 - 4.0 * t21 * t85;
+            const real t88 = 2.0 * (el_y * t66 + ey_q_y * t85);
+            const real t89 = 2.0 * (el_z * t55 - ez_q_z * t85);
+            const real t90 = t88 + t89;
+            const real t91 = el_z * t66 + 2.0 * t29 * t85;
+            const real t92 = el_y * t55 - 2.0 * t31 * t85;
+            const real t93 = t91 - t92;
+            const real t94 = u_p_1 * t87 + u_p_3 * t90 + u_p_0 * t86 - 2.0 * u_p_2 * t93;
+            const real t95 = u_p_1 * t86 + 2.0 * u_p_3 * t93 + u_p_2 * t90 - u_p_0 * t87;
+            const real t96 = t89 - t88;
+            const real t97 = t91 + t92;
+            const real t98 = u_p_2 * t86 + 2.0 * u_p_0 * t97 + u_p_1 * t96 - u_p_3 * t87;
+            const real t99 = u_p_2 * t87 + u_p_0 * t96 + u_p_3 * t86 - 2.0 * u_p_1 * t97;
+            const real rp_fl0 = tp_0 * t98 + tp_1 * t99 + tp_3 * t95 + tp_2 * t94;
+            const real rp_fl1 = tp_2 * t95 + tp_0 * t99 - tp_3 * t94 - tp_1 * t98;
+            const real rp_fl2 = tp_0 * t94 + tp_3 * t99 - tp_1 * t95 - tp_2 * t98;
+            const real rp_fl3 = tp_0 * t95 + tp_1 * t94 - tp_2 * t99 - tp_3 * t98;
+            const real t100 = tp_0 * rp_fl0 - tp_1 * rp_fl1 - tp_2 * rp_fl2 - tp_3 * rp_fl3;
+            const real t101 = tp_2 * rp_fl1 + tp_0 * rp_fl3 + tp_3 * rp_fl0 - tp_1 * rp_fl2;
+            const real t102 = tp_0 * rp_fl1 + tp_3 * rp_fl2 + tp_1 * rp_fl0 - tp_2 * rp_fl3;
+            const real t103 = tp_0 * rp_fl2 + tp_1 * rp_fl3 + tp_2 * rp_fl0 - tp_3 * rp_fl1;
+            const real t104 = u_p_1 * t100 + u_p_2 * t101 - u_p_0 * t102 - u_p_3 * t103;
+            moment_p[0 * 8 + j] = 0.5 * t104;
+            const real t105 = u_p_2 * t100 + u_p_3 * t102 - u_p_0 * t103 - u_p_1 * t101;
+            moment_p[1 * 8 + j] = 0.5 * t105;
+            const real t106 = u_p_1 * t103 + u_p_3 * t100 - u_p_0 * t101 - u_p_2 * t102;
+            moment_p[2 * 8 + j] = 0.5 * t106;
+            const real wp_ftwist = t9 * t83;
             bimoment_p[0 * 8 + j] = -wp_ftwist;
             const real ex_q_x = t5 + t7 - t6 - t8;
-            const real t100 = t14 + t13;
-            const real t101 = t20 - t19;
-            force_q[0 * 8 + j] = ex_q_x * q_fx + 2.0 * (t100 * q_fy + t101 * q_fz);
-            force_q[1 * 8 + j] = ey_q_y * q_fy + 2.0 * (t15 * q_fx + t27 * q_fz);
-            force_q[2 * 8 + j] = ez_q_z * q_fz + 2.0 * (t21 * q_fx + t28 * q_fy);
-            const real t102 = 2.0 * el_x * t60 - 4.0 * t18 * t81;
-            const real t103 = 2.0 * el_x * t48 + 4.0 * t12 * t81;
-            const real t104 = 2.0 * (el_z * t48 + ez_p_z * t81);
-            const real t105 = 2.0 * (el_y * t60 - ey_p_y * t81);
-            const real t106 = t104 + t105;
-            const real t107 = el_z * t60 - 2.0 * t29 * t81;
-            const real t108 = el_y * t48 + 2.0 * t24 * t81;
-            const real t109 = t107 - t108;
-            const real t110 = u_q_1 * t103 + u_q_3 * t106 + u_q_0 * t102 - 2.0 * u_q_2 * t109;
-            const real t111 = u_q_1 * t102 + 2.0 * u_q_3 * t109 + u_q_2 * t106 - u_q_0 * t103;
-            const real t112 = t104 - t105;
-            const real t113 = t108 + t107;
-            const real t114 = u_q_2 * t102 + 2.0 * u_q_0 * t113 + u_q_1 * t112 - u_q_3 * t103;
-            const real t115 = u_q_2 * t103 + u_q_0 * t112 + u_q_3 * t102 - 2.0 * u_q_1 * t113;
-            const real rq_fl0 = tq_0 * t114 + tq_1 * t115 + tq_3 * t111 + tq_2 * t110;
-            const real rq_fl1 = tq_2 * t111 + tq_0 * t115 - tq_3 * t110 - tq_1 * t114;
-            const real rq_fl2 = tq_0 * t110 + tq_3 * t115 - tq_1 * t111 - tq_2 * t114;
-            const real rq_fl3 = tq_0 * t111 + tq_1 * t110 - tq_2 * t115 - tq_3 * t114;
-            const real t116 = tq_0 * rq_fl1 + tq_3 * rq_fl2 + tq_1 * rq_fl0 - tq_2 * rq_fl3;
-            const real t117 = tq_0 * rq_fl2 + tq_1 * rq_fl3 + tq_2 * rq_fl0 - tq_3 * rq_fl1;
-            const real t118 = tq_0 * rq_fl0 - tq_1 * rq_fl1 - tq_2 * rq_fl2 - tq_3 * rq_fl3;
-            const real t119 = tq_2 * rq_fl1 + tq_0 * rq_fl3 + tq_3 * rq_fl0 - tq_1 * rq_fl2;
-            const real t120 = u_q_0 * t116 + u_q_3 * t117 - u_q_1 * t118 - u_q_2 * t119;
-            moment_q[0 * 8 + j] = 0.5 * t120;
-            const real t121 = u_q_0 * t117 + u_q_1 * t119 - u_q_2 * t118 - u_q_3 * t116;
-            moment_q[1 * 8 + j] = 0.5 * t121;
-            const real t122 = u_q_0 * t119 + u_q_2 * t116 - u_q_1 * t117 - u_q_3 * t118;
-            moment_q[2 * 8 + j] = 0.5 * t122;
-            const real wq_ftwist = t9 * t77;
+            const real t107 = t14 + t13;
+            const real t108 = t20 - t19;
+            force_q[0 * 8 + j] = ex_q_x * q_fx + 2.0 * (t107 * q_fy + t108 * q_fz);
+            force_q[1 * 8 + j] = ey_q_y * q_fy + 2.0 * (t15 * q_fx + t29 * q_fz);
+            force_q[2 * 8 + j] = ez_q_z * q_fz + 2.0 * (t21 * q_fx + t31 * q_fy);
+            const real t109 = 2.0 * el_x * t64 - 4.0 * t18 * t85;
+            const real t110 = 2.0 * el_x * t52 + 4.0 * t12 * t85;
+            const real t111 = 2.0 * (el_z * t52 + ez_p_z * t85);
+            const real t112 = 2.0 * (el_y * t64 - ey_p_y * t85);
+            const real t113 = t111 + t112;
+            const real t114 = el_z * t64 - 2.0 * t33 * t85;
+            const real t115 = el_y * t52 + 2.0 * t25 * t85;
+            const real t116 = t114 - t115;
+            const real t117 = u_q_1 * t110 + u_q_3 * t113 + u_q_0 * t109 - 2.0 * u_q_2 * t116;
+            const real t118 = u_q_1 * t109 + 2.0 * u_q_3 * t116 + u_q_2 * t113 - u_q_0 * t110;
+            const real t119 = t111 - t112;
+            const real t120 = t115 + t114;
+            const real t121 = u_q_2 * t109 + 2.0 * u_q_0 * t120 + u_q_1 * t119 - u_q_3 * t110;
+            const real t122 = u_q_2 * t110 + u_q_0 * t119 + u_q_3 * t109 - 2.0 * u_q_1 * t120;
+            const real rq_fl0 = tq_0 * t121 + tq_1 * t122 + tq_3 * t118 + tq_2 * t117;
+            const real rq_fl1 = tq_2 * t118 + tq_0 * t122 - tq_3 * t117 - tq_1 * t121;
+            const real rq_fl2 = tq_0 * t117 + tq_3 * t122 - tq_1 * t118 - tq_2 * t121;
+            const real rq_fl3 = tq_0 * t118 + tq_1 * t117 - tq_2 * t122 - tq_3 * t121;
+            const real t123 = tq_0 * rq_fl1 + tq_3 * rq_fl2 + tq_1 * rq_fl0 - tq_2 * rq_fl3;
+            const real t124 = tq_0 * rq_fl2 + tq_1 * rq_fl3 + tq_2 * rq_fl0 - tq_3 * rq_fl1;
+            const real t125 = tq_0 * rq_fl0 - tq_1 * rq_fl1 - tq_2 * rq_fl2 - tq_3 * rq_fl3;
+            const real t126 = tq_2 * rq_fl1 + tq_0 * rq_fl3 + tq_3 * rq_fl0 - tq_1 * rq_fl2;
+            const real t127 = u_q_0 * t123 + u_q_3 * t124 - u_q_1 * t125 - u_q_2 * t126;
+            moment_q[0 * 8 + j] = 0.5 * t127;
+            const real t128 = u_q_0 * t124 + u_q_1 * t126 - u_q_2 * t125 - u_q_3 * t123;
+            moment_q[1 * 8 + j] = 0.5 * t128;
+            const real t129 = u_q_0 * t126 + u_q_2 * t123 - u_q_1 * t124 - u_q_3 * t125;
+            moment_q[2 * 8 + j] = 0.5 * t129;
+            const real wq_ftwist = t9 * t81;
             bimoment_q[0 * 8 + j] = wq_ftwist;
-            const real t123 = b7 + b8;
-            const real t124 = 0.03333333333333333 * (3.0 * (t40 * b7 - b4 * b8) + t72 * t123);
-            const real t125 = l0 * (t42 + t34) + t32 * (t124 - 0.16666666666666666 * (t31 * t72));
+            const real t130 = b7 + b8;
+            const real t131 = 0.03333333333333333 * (3.0 * (t44 * b7 - b4 * b8) + t76 * t130);
+            const real t132 = l0 * (t46 + t38) + t36 * (t131 - 0.16666666666666666 * (t35 * t76));
             const real GAy = p[17 * 8 + j];
-            const real t126 = 1.0 / GAy * EIz * t70;
-            const real phi_y = 12.0 * t126;
-            const real t127 = 1.0 / (1.0 + phi_y);
-            const real t128 = 0.03333333333333333 * (3.0 * (b5 * b7 - t35 * b8) - t73 * t123);
-            const real t129 = t32 * (0.16666666666666666 * (t31 * t73) + t128) - l0 * (t39 + t49);
+            const real t133 = 1.0 / GAy * EIz * t74;
+            const real phi_y = 12.0 * t133;
+            const real t134 = 1.0 / (1.0 + phi_y);
+            const real t135 = 0.03333333333333333 * (3.0 * (b5 * b7 - t39 * b8) - t77 * t130);
+            const real t136 = t36 * (0.16666666666666666 * (t35 * t77) + t135) - l0 * (t43 + t53);
             const real GAz = p[18 * 8 + j];
-            const real t130 = 1.0 / GAz * EIy * t70;
-            const real phi_z = 12.0 * t130;
-            const real t131 = 1.0 / (1.0 + phi_z);
-            const real t132 = t126 * t126 * t127 * t127 * t125 * t125 + t130 * t130 * t131 * t131 * t129 * t129;
-            shear_angle[0 * 8 + j] = real_sqrt(36.0 * (t70 * t132));
-            turn_cosines[0 * 8 + j] = t4 * (ex_p_x * d_x + 2.0 * (t68 * d_y + t69 * d_z));
-            turn_cosines[1 * 8 + j] = t4 * (ex_q_x * d_x + 2.0 * (t100 * d_y + t101 * d_z));
-            turn_cosines[2 * 8 + j] = 0.5 * (ey_p_y * ey_q_y + ez_p_z * ez_q_z) + 2.0 * (t18 * t15 + t29 * t27 + t24
-                * t28 + t12 * t21);
+            const real t137 = 1.0 / GAz * EIy * t74;
+            const real phi_z = 12.0 * t137;
+            const real t138 = 1.0 / (1.0 + phi_z);
+            const real t139 = t133 * t133 * t134 * t134 * t132 * t132 + t137 * t137 * t138 * t138 * t136 * t136;
+            t140[j] = real_sqrt(36.0 * (t74 * t139));
+            shear_angle[0 * 8 + j] = t140[j];
+            const real t141 = ex_p_x * t4;
+            const real t142 = t72 * t4;
+            const real t143 = (d_y * t141 - 2.0 * d_x * t142) * (d_y * t141 - 2.0 * d_x * t142);
+            const real t144 = t73 * t4;
+            const real t145 = (2.0 * d_x * t144 - d_z * t141) * (2.0 * d_x * t144 - d_z * t141);
+            const real t146 = 4.0 * (d_z * t142 - d_y * t144) * (d_z * t142 - d_y * t144);
+            t147[j] = real_sqrt(t145 + t146 + t143);
+            t148[j] = d_x * t141 + 2.0 * (d_y * t142 + d_z * t144);
+            const real t150 = ex_q_x * t4;
+            const real t151 = t107 * t4;
+            const real t152 = (d_y * t150 - 2.0 * d_x * t151) * (d_y * t150 - 2.0 * d_x * t151);
+            const real t153 = t108 * t4;
+            const real t154 = (2.0 * d_x * t153 - d_z * t150) * (2.0 * d_x * t153 - d_z * t150);
+            const real t155 = 4.0 * (d_z * t151 - d_y * t153) * (d_z * t151 - d_y * t153);
+            t156[j] = real_sqrt(t154 + t155 + t152);
+            t157[j] = d_x * t150 + 2.0 * (d_y * t151 + d_z * t153);
+            t162[j] = real_abs(t32 + t34 - t26 - t30 - 2.0 * t22);
+            t163[j] = 0.5 * (ey_p_y * ey_q_y + ez_p_z * ez_q_z) + 2.0 * (t18 * t15 + t33 * t29 + t25 * t31 + t12
+                * t21);
+            shear_range[0 * 8 + j] = 57.29577951308232 * t140[j];
             axis[3 * 8 + j] = 0.98876953125 * p_x + 0.01123046875 * q_x + l0 * (0.054931640625 * ex_p_x
                 - 0.003662109375 * ex_q_x); /* axis(1,0) */
-            axis[4 * 8 + j] = 0.98876953125 * p_y + 0.01123046875 * q_y + l0 * (0.10986328125 * t68 - 0.00732421875
-                * t100); /* axis(1,1) */
-            axis[5 * 8 + j] = 0.98876953125 * p_z + 0.01123046875 * q_z + l0 * (0.10986328125 * t69 - 0.00732421875
-                * t101); /* axis(1,2) */
+            axis[4 * 8 + j] = 0.98876953125 * p_y + 0.01123046875 * q_y + l0 * (0.10986328125 * t72 - 0.00732421875
+                * t107); /* axis(1,1) */
+            axis[5 * 8 + j] = 0.98876953125 * p_z + 0.01123046875 * q_z + l0 * (0.10986328125 * t73 - 0.00732421875
+                * t108); /* axis(1,2) */
             axis[6 * 8 + j] = 0.95703125 * p_x + 0.04296875 * q_x + l0 * (0.095703125 * ex_p_x - 0.013671875
                 * ex_q_x); /* axis(2,0) */
-            axis[7 * 8 + j] = 0.95703125 * p_y + 0.04296875 * q_y + l0 * (0.19140625 * t68 - 0.02734375 * t100);
+            axis[7 * 8 + j] = 0.95703125 * p_y + 0.04296875 * q_y + l0 * (0.19140625 * t72 - 0.02734375 * t107);
                 /* axis(2,1) */
-            axis[8 * 8 + j] = 0.95703125 * p_z + 0.04296875 * q_z + l0 * (0.19140625 * t69 - 0.02734375 * t101);
+            axis[8 * 8 + j] = 0.95703125 * p_z + 0.04296875 * q_z + l0 * (0.19140625 * t73 - 0.02734375 * t108);
                 /* axis(2,2) */
             axis[9 * 8 + j] = 0.90771484375 * p_x + 0.09228515625 * q_x + l0 * (0.123779296875 * ex_p_x
                 - 0.028564453125 * ex_q_x); /* axis(3,0) */
-            axis[10 * 8 + j] = 0.90771484375 * p_y + 0.09228515625 * q_y + l0 * (0.24755859375 * t68 - 0.05712890625
-                * t100); /* axis(3,1) */
-            axis[11 * 8 + j] = 0.90771484375 * p_z + 0.09228515625 * q_z + l0 * (0.24755859375 * t69 - 0.05712890625
-                * t101); /* axis(3,2) */
+            axis[10 * 8 + j] = 0.90771484375 * p_y + 0.09228515625 * q_y + l0 * (0.24755859375 * t72 - 0.05712890625
+                * t107); /* axis(3,1) */
+            axis[11 * 8 + j] = 0.90771484375 * p_z + 0.09228515625 * q_z + l0 * (0.24755859375 * t73 - 0.05712890625
+                * t108); /* axis(3,2) */
             axis[12 * 8 + j] = 0.84375 * p_x + 0.15625 * q_x + l0 * (0.140625 * ex_p_x - 0.046875 * ex_q_x);
                 /* axis(4,0) */
-            axis[13 * 8 + j] = 0.84375 * p_y + 0.15625 * q_y + l0 * (0.28125 * t68 - 0.09375 * t100); /* axis(4,1) */
-            axis[14 * 8 + j] = 0.84375 * p_z + 0.15625 * q_z + l0 * (0.28125 * t69 - 0.09375 * t101); /* axis(4,2) */
+            axis[13 * 8 + j] = 0.84375 * p_y + 0.15625 * q_y + l0 * (0.28125 * t72 - 0.09375 * t107); /* axis(4,1) */
+            axis[14 * 8 + j] = 0.84375 * p_z + 0.15625 * q_z + l0 * (0.28125 * t73 - 0.09375 * t108); /* axis(4,2) */
             axis[15 * 8 + j] = 0.76806640625 * p_x + 0.23193359375 * q_x + l0 * (0.147705078125 * ex_p_x
                 - 0.067138671875 * ex_q_x); /* axis(5,0) */
-            axis[16 * 8 + j] = 0.76806640625 * p_y + 0.23193359375 * q_y + l0 * (0.29541015625 * t68 - 0.13427734375
-                * t100); /* axis(5,1) */
-            axis[17 * 8 + j] = 0.76806640625 * p_z + 0.23193359375 * q_z + l0 * (0.29541015625 * t69 - 0.13427734375
-                * t101); /* axis(5,2) */
+            axis[16 * 8 + j] = 0.76806640625 * p_y + 0.23193359375 * q_y + l0 * (0.29541015625 * t72 - 0.13427734375
+                * t107); /* axis(5,1) */
+            axis[17 * 8 + j] = 0.76806640625 * p_z + 0.23193359375 * q_z + l0 * (0.29541015625 * t73 - 0.13427734375
+                * t108); /* axis(5,2) */
             axis[18 * 8 + j] = 0.68359375 * p_x + 0.31640625 * q_x + l0 * (0.146484375 * ex_p_x - 0.087890625
                 * ex_q_x); /* axis(6,0) */
-            axis[19 * 8 + j] = 0.68359375 * p_y + 0.31640625 * q_y + l0 * (0.29296875 * t68 - 0.17578125 * t100);
+            axis[19 * 8 + j] = 0.68359375 * p_y + 0.31640625 * q_y + l0 * (0.29296875 * t72 - 0.17578125 * t107);
                 /* axis(6,1) */
-            axis[20 * 8 + j] = 0.68359375 * p_z + 0.31640625 * q_z + l0 * (0.29296875 * t69 - 0.17578125 * t101);
+            axis[20 * 8 + j] = 0.68359375 * p_z + 0.31640625 * q_z + l0 * (0.29296875 * t73 - 0.17578125 * t108);
                 /* axis(6,2) */
             axis[21 * 8 + j] = 0.59326171875 * p_x + 0.40673828125 * q_x + l0 * (0.138427734375 * ex_p_x
                 - 0.107666015625 * ex_q_x); /* axis(7,0) */
-            axis[22 * 8 + j] = 0.59326171875 * p_y + 0.40673828125 * q_y + l0 * (0.27685546875 * t68 - 0.21533203125
-                * t100); /* axis(7,1) */
-            axis[23 * 8 + j] = 0.59326171875 * p_z + 0.40673828125 * q_z + l0 * (0.27685546875 * t69 - 0.21533203125
-                * t101); /* axis(7,2) */
+            axis[22 * 8 + j] = 0.59326171875 * p_y + 0.40673828125 * q_y + l0 * (0.27685546875 * t72 - 0.21533203125
+                * t107); /* axis(7,1) */
+            axis[23 * 8 + j] = 0.59326171875 * p_z + 0.40673828125 * q_z + l0 * (0.27685546875 * t73 - 0.21533203125
+                * t108); /* axis(7,2) */
             axis[24 * 8 + j] = 0.5 * (p_x + q_x) + 0.125 * l0 * (ex_p_x - ex_q_x); /* axis(8,0) */
-            axis[25 * 8 + j] = 0.5 * (p_y + q_y) + 0.25 * l0 * (t68 - t100); /* axis(8,1) */
-            axis[26 * 8 + j] = 0.5 * (p_z + q_z) + 0.25 * l0 * (t69 - t101); /* axis(8,2) */
+            axis[25 * 8 + j] = 0.5 * (p_y + q_y) + 0.25 * l0 * (t72 - t107); /* axis(8,1) */
+            axis[26 * 8 + j] = 0.5 * (p_z + q_z) + 0.25 * l0 * (t73 - t108); /* axis(8,2) */
             axis[27 * 8 + j] = 0.40673828125 * p_x + 0.59326171875 * q_x + l0 * (0.107666015625 * ex_p_x
                 - 0.138427734375 * ex_q_x); /* axis(9,0) */
-            axis[28 * 8 + j] = 0.40673828125 * p_y + 0.59326171875 * q_y + l0 * (0.21533203125 * t68 - 0.27685546875
-                * t100); /* axis(9,1) */
-            axis[29 * 8 + j] = 0.40673828125 * p_z + 0.59326171875 * q_z + l0 * (0.21533203125 * t69 - 0.27685546875
-                * t101); /* axis(9,2) */
+            axis[28 * 8 + j] = 0.40673828125 * p_y + 0.59326171875 * q_y + l0 * (0.21533203125 * t72 - 0.27685546875
+                * t107); /* axis(9,1) */
+            axis[29 * 8 + j] = 0.40673828125 * p_z + 0.59326171875 * q_z + l0 * (0.21533203125 * t73 - 0.27685546875
+                * t108); /* axis(9,2) */
             axis[30 * 8 + j] = 0.31640625 * p_x + 0.68359375 * q_x + l0 * (0.087890625 * ex_p_x - 0.146484375
                 * ex_q_x); /* axis(10,0) */
-            axis[31 * 8 + j] = 0.31640625 * p_y + 0.68359375 * q_y + l0 * (0.17578125 * t68 - 0.29296875 * t100);
+            axis[31 * 8 + j] = 0.31640625 * p_y + 0.68359375 * q_y + l0 * (0.17578125 * t72 - 0.29296875 * t107);
                 /* axis(10,1) */
-            axis[32 * 8 + j] = 0.31640625 * p_z + 0.68359375 * q_z + l0 * (0.17578125 * t69 - 0.29296875 * t101);
+            axis[32 * 8 + j] = 0.31640625 * p_z + 0.68359375 * q_z + l0 * (0.17578125 * t73 - 0.29296875 * t108);
                 /* axis(10,2) */
             axis[33 * 8 + j] = 0.23193359375 * p_x + 0.76806640625 * q_x + l0 * (0.067138671875 * ex_p_x
                 - 0.147705078125 * ex_q_x); /* axis(11,0) */
-            axis[34 * 8 + j] = 0.23193359375 * p_y + 0.76806640625 * q_y + l0 * (0.13427734375 * t68 - 0.29541015625
-                * t100); /* axis(11,1) */
-            axis[35 * 8 + j] = 0.23193359375 * p_z + 0.76806640625 * q_z + l0 * (0.13427734375 * t69 - 0.29541015625
-                * t101); /* axis(11,2) */
+            axis[34 * 8 + j] = 0.23193359375 * p_y + 0.76806640625 * q_y + l0 * (0.13427734375 * t72 - 0.29541015625
+                * t107); /* axis(11,1) */
+            axis[35 * 8 + j] = 0.23193359375 * p_z + 0.76806640625 * q_z + l0 * (0.13427734375 * t73 - 0.29541015625
+                * t108); /* axis(11,2) */
             axis[36 * 8 + j] = 0.15625 * p_x + 0.84375 * q_x + l0 * (0.046875 * ex_p_x - 0.140625 * ex_q_x);
                 /* axis(12,0) */
-            axis[37 * 8 + j] = 0.15625 * p_y + 0.84375 * q_y + l0 * (0.09375 * t68 - 0.28125 * t100); /* axis(12,1) */
-            axis[38 * 8 + j] = 0.15625 * p_z + 0.84375 * q_z + l0 * (0.09375 * t69 - 0.28125 * t101); /* axis(12,2) */
+            axis[37 * 8 + j] = 0.15625 * p_y + 0.84375 * q_y + l0 * (0.09375 * t72 - 0.28125 * t107); /* axis(12,1) */
+            axis[38 * 8 + j] = 0.15625 * p_z + 0.84375 * q_z + l0 * (0.09375 * t73 - 0.28125 * t108); /* axis(12,2) */
             axis[39 * 8 + j] = 0.09228515625 * p_x + 0.90771484375 * q_x + l0 * (0.028564453125 * ex_p_x
                 - 0.123779296875 * ex_q_x); /* axis(13,0) */
-            axis[40 * 8 + j] = 0.09228515625 * p_y + 0.90771484375 * q_y + l0 * (0.05712890625 * t68 - 0.24755859375
-                * t100); /* axis(13,1) */
-            axis[41 * 8 + j] = 0.09228515625 * p_z + 0.90771484375 * q_z + l0 * (0.05712890625 * t69 - 0.24755859375
-                * t101); /* axis(13,2) */
+            axis[40 * 8 + j] = 0.09228515625 * p_y + 0.90771484375 * q_y + l0 * (0.05712890625 * t72 - 0.24755859375
+                * t107); /* axis(13,1) */
+            axis[41 * 8 + j] = 0.09228515625 * p_z + 0.90771484375 * q_z + l0 * (0.05712890625 * t73 - 0.24755859375
+                * t108); /* axis(13,2) */
             axis[42 * 8 + j] = 0.04296875 * p_x + 0.95703125 * q_x + l0 * (0.013671875 * ex_p_x - 0.095703125
                 * ex_q_x); /* axis(14,0) */
-            axis[43 * 8 + j] = 0.04296875 * p_y + 0.95703125 * q_y + l0 * (0.02734375 * t68 - 0.19140625 * t100);
+            axis[43 * 8 + j] = 0.04296875 * p_y + 0.95703125 * q_y + l0 * (0.02734375 * t72 - 0.19140625 * t107);
                 /* axis(14,1) */
-            axis[44 * 8 + j] = 0.04296875 * p_z + 0.95703125 * q_z + l0 * (0.02734375 * t69 - 0.19140625 * t101);
+            axis[44 * 8 + j] = 0.04296875 * p_z + 0.95703125 * q_z + l0 * (0.02734375 * t73 - 0.19140625 * t108);
                 /* axis(14,2) */
             axis[45 * 8 + j] = 0.01123046875 * p_x + 0.98876953125 * q_x + l0 * (0.003662109375 * ex_p_x
                 - 0.054931640625 * ex_q_x); /* axis(15,0) */
-            axis[46 * 8 + j] = 0.01123046875 * p_y + 0.98876953125 * q_y + l0 * (0.00732421875 * t68 - 0.10986328125
-                * t100); /* axis(15,1) */
-            axis[47 * 8 + j] = 0.01123046875 * p_z + 0.98876953125 * q_z + l0 * (0.00732421875 * t69 - 0.10986328125
-                * t101); /* axis(15,2) */
+            axis[46 * 8 + j] = 0.01123046875 * p_y + 0.98876953125 * q_y + l0 * (0.00732421875 * t72 - 0.10986328125
+                * t107); /* axis(15,1) */
+            axis[47 * 8 + j] = 0.01123046875 * p_z + 0.98876953125 * q_z + l0 * (0.00732421875 * t73 - 0.10986328125
+                * t108); /* axis(15,2) */
             const real ey_p_x = 2.0 * t18;
             across[0 * 8 + j] = ey_p_x; /* across(0,0) */
-            const real ey_p_z = 2.0 * t29;
+            const real ey_p_z = 2.0 * t33;
             across[2 * 8 + j] = ey_p_z; /* across(0,2) */
             const real ey_q_x = 2.0 * t15;
             across[3 * 8 + j] = ey_q_x; /* across(1,0) */
-            const real ey_q_z = 2.0 * t27;
+            const real ey_q_z = 2.0 * t29;
             across[5 * 8 + j] = ey_q_z; /* across(1,2) */
+        }
+        for (size_t j = 0; j < 8; j++) {
+            t149[j] = real_atan2(t147[j], t148[j]);
+            t158[j] = real_atan2(t156[j], t157[j]);
+            t164[j] = real_atan2(t162[j], t163[j]);
+            t168[j] = real_sin(t140[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            t159[j] = t149[j] + t158[j];
+            bend_range[0 * 8 + j] = 57.29577951308232 * t159[j];
+            t161[j] = 1.0 / real_max(1e-09, t159[j]);
+            twist_range[0 * 8 + j] = 57.29577951308232 * t164[j];
+            t165[j] = 2.0 * t164[j];
+            t167[j] = 1.0 / real_max(1e-09, t165[j]);
+            shear_range[1 * 8 + j] = 100.0 * (t168[j] * t168[j]);
+        }
+        for (size_t j = 0; j < 8; j++) {
+            t160[j] = real_sin(t159[j]);
+            t166[j] = real_sin(t165[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            bend_range[1 * 8 + j] = 100.0 * ((t159[j] - t160[j]) * t161[j]);
+            twist_range[1 * 8 + j] = 100.0 * ((t165[j] - t166[j]) * t167[j]);
         }
     }
 }
 
 const flexel_element flexel_beam_warping = {
     .name = "beam_warping",
-    .digest = "5d515e6c0608ec44",
+    .digest = "283cd0a0c21c87b1",
     .n = 16,
     .m = 8,
     .k = 0,

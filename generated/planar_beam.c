@@ -11,7 +11,7 @@
  *   minus
  * axis: places on the cubic axis; across: ey_p, ey_q
  * shear_angle = |phi_y/(1 + phi_y) (bend1 - bend2)|/(2 l0)
- * turn_cosines = ex_p.el, ex_q.el
+ * ranges [degrees, %]: bend = angle(ex_p, el) + angle(ex_q, el), 1 - sin(bend)/bend; shear_angle, sin(shear_angle)^2
  *
  * Source: SPACAR95 manual (Schwab and Meijaard 2000), PLBEAM, PLBEAMNL; signs of the spatial beam's b5, b6; Meijaard
  *   1996, Nonlinear Dyn. 9
@@ -1328,10 +1328,10 @@ static void planar_beam_tangent(size_t nblocks, const real *const *in, real *con
     }
 }
 
-/* outputs: 332 operations.
+/* outputs: 348 operations.
  * in:  x (6), sigma (3), tau (0), p (9)
- * out: force_p (2), moment_p (1), force_q (2), moment_q (1), shear_angle (1), turn_cosines (2), axis (17,2), across
- *   (2,2) */
+ * out: force_p (2), moment_p (1), force_q (2), moment_q (1), shear_angle (1), bend_range (2), shear_range (2), axis
+ *   (17,2), across (2,2) */
 FLEXEL_CLONES
 static void planar_beam_outputs(size_t nblocks, const real *const *in, real *const *out)
 {
@@ -1344,13 +1344,15 @@ static void planar_beam_outputs(size_t nblocks, const real *const *in, real *con
         real *restrict force_q = out[2] + b * (2 * 8);
         real *restrict moment_q = out[3] + b * (1 * 8);
         real *restrict shear_angle = out[4] + b * (1 * 8);
-        real *restrict turn_cosines = out[5] + b * (2 * 8);
-        real *restrict axis = out[6] + b * (34 * 8);
-        real *restrict across = out[7] + b * (4 * 8);
+        real *restrict bend_range = out[5] + b * (2 * 8);
+        real *restrict shear_range = out[6] + b * (2 * 8);
+        real *restrict axis = out[7] + b * (34 * 8);
+        real *restrict across = out[8] + b * (4 * 8);
         real t0[8], cos_p[8], d_x[8], d_y[8], t1[8], t2[8], t3[8], cos_q[8], el_y[8], sin_q[8], el_x[8], t6[8],
-            sin_p[8], t20[8], t22[8], t23[8], t25[8], t27[8], t28[8], t29[8], t31[8], t33[8], t34[8], t35[8], t37[8],
-            t39[8], t40[8], t41[8], t43[8], t45[8], t46[8], t47[8], t49[8], t51[8], t52[8], t53[8], t55[8], t57[8],
-            t58[8], t59[8], t61[8], t63[8], t64[8], t65[8], t67[8];
+            sin_p[8], t17[8], t18[8], t20[8], t22[8], t24[8], t25[8], t26[8], t27[8], t28[8], t29[8], t30[8], t31[8],
+            t32[8], t33[8], t35[8], t37[8], t38[8], t39[8], t41[8], t43[8], t44[8], t45[8], t47[8], t49[8], t50[8],
+            t51[8], t53[8], t55[8], t56[8], t57[8], t59[8], t61[8], t62[8], t63[8], t65[8], t67[8], t68[8], t69[8],
+            t71[8], t73[8], t74[8], t75[8], t77[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real rp_angle = x[2 * 8 + j];
@@ -1385,36 +1387,36 @@ static void planar_beam_outputs(size_t nblocks, const real *const *in, real *con
             t20[j] = real_abs(phi_y);
             const real t21 = 1.0 / (1.0 + phi_y);
             t22[j] = real_sqrt(t19 * t21 * t21);
-            t23[j] = 0.98876953125 * p_x + 0.01123046875 * q_x;
-            t25[j] = 0.98876953125 * p_y + 0.01123046875 * q_y;
-            t27[j] = 0.95703125 * p_x + 0.04296875 * q_x;
-            t28[j] = 0.95703125 * p_y + 0.04296875 * q_y;
-            t29[j] = 0.90771484375 * p_x + 0.09228515625 * q_x;
-            t31[j] = 0.90771484375 * p_y + 0.09228515625 * q_y;
-            t33[j] = 0.84375 * p_x + 0.15625 * q_x;
-            t34[j] = 0.84375 * p_y + 0.15625 * q_y;
-            t35[j] = 0.76806640625 * p_x + 0.23193359375 * q_x;
-            t37[j] = 0.76806640625 * p_y + 0.23193359375 * q_y;
-            t39[j] = 0.68359375 * p_x + 0.31640625 * q_x;
-            t40[j] = 0.68359375 * p_y + 0.31640625 * q_y;
-            t41[j] = 0.59326171875 * p_x + 0.40673828125 * q_x;
-            t43[j] = 0.59326171875 * p_y + 0.40673828125 * q_y;
-            t45[j] = 0.5 * (p_x + q_x);
-            t46[j] = 0.5 * (p_y + q_y);
-            t47[j] = 0.40673828125 * p_x + 0.59326171875 * q_x;
-            t49[j] = 0.40673828125 * p_y + 0.59326171875 * q_y;
-            t51[j] = 0.31640625 * p_x + 0.68359375 * q_x;
-            t52[j] = 0.31640625 * p_y + 0.68359375 * q_y;
-            t53[j] = 0.23193359375 * p_x + 0.76806640625 * q_x;
-            t55[j] = 0.23193359375 * p_y + 0.76806640625 * q_y;
-            t57[j] = 0.15625 * p_x + 0.84375 * q_x;
-            t58[j] = 0.15625 * p_y + 0.84375 * q_y;
-            t59[j] = 0.09228515625 * p_x + 0.90771484375 * q_x;
-            t61[j] = 0.09228515625 * p_y + 0.90771484375 * q_y;
-            t63[j] = 0.04296875 * p_x + 0.95703125 * q_x;
-            t64[j] = 0.04296875 * p_y + 0.95703125 * q_y;
-            t65[j] = 0.01123046875 * p_x + 0.98876953125 * q_x;
-            t67[j] = 0.01123046875 * p_y + 0.98876953125 * q_y;
+            t33[j] = 0.98876953125 * p_x + 0.01123046875 * q_x;
+            t35[j] = 0.98876953125 * p_y + 0.01123046875 * q_y;
+            t37[j] = 0.95703125 * p_x + 0.04296875 * q_x;
+            t38[j] = 0.95703125 * p_y + 0.04296875 * q_y;
+            t39[j] = 0.90771484375 * p_x + 0.09228515625 * q_x;
+            t41[j] = 0.90771484375 * p_y + 0.09228515625 * q_y;
+            t43[j] = 0.84375 * p_x + 0.15625 * q_x;
+            t44[j] = 0.84375 * p_y + 0.15625 * q_y;
+            t45[j] = 0.76806640625 * p_x + 0.23193359375 * q_x;
+            t47[j] = 0.76806640625 * p_y + 0.23193359375 * q_y;
+            t49[j] = 0.68359375 * p_x + 0.31640625 * q_x;
+            t50[j] = 0.68359375 * p_y + 0.31640625 * q_y;
+            t51[j] = 0.59326171875 * p_x + 0.40673828125 * q_x;
+            t53[j] = 0.59326171875 * p_y + 0.40673828125 * q_y;
+            t55[j] = 0.5 * (p_x + q_x);
+            t56[j] = 0.5 * (p_y + q_y);
+            t57[j] = 0.40673828125 * p_x + 0.59326171875 * q_x;
+            t59[j] = 0.40673828125 * p_y + 0.59326171875 * q_y;
+            t61[j] = 0.31640625 * p_x + 0.68359375 * q_x;
+            t62[j] = 0.31640625 * p_y + 0.68359375 * q_y;
+            t63[j] = 0.23193359375 * p_x + 0.76806640625 * q_x;
+            t65[j] = 0.23193359375 * p_y + 0.76806640625 * q_y;
+            t67[j] = 0.15625 * p_x + 0.84375 * q_x;
+            t68[j] = 0.15625 * p_y + 0.84375 * q_y;
+            t69[j] = 0.09228515625 * p_x + 0.90771484375 * q_x;
+            t71[j] = 0.09228515625 * p_y + 0.90771484375 * q_y;
+            t73[j] = 0.04296875 * p_x + 0.95703125 * q_x;
+            t74[j] = 0.04296875 * p_y + 0.95703125 * q_y;
+            t75[j] = 0.01123046875 * p_x + 0.98876953125 * q_x;
+            t77[j] = 0.01123046875 * p_y + 0.98876953125 * q_y;
         }
         for (size_t j = 0; j < 8; j++) {
             cos_p[j] = real_cos(t0[j]);
@@ -1446,70 +1448,92 @@ static void planar_beam_outputs(size_t nblocks, const real *const *in, real *con
             const real q_fy = d_y[j] * t16 + t1[j] * t14;
             force_p[0 * 8 + j] = cos_p[j] * q_fx + sin_p[j] * q_fy;
             force_p[1 * 8 + j] = cos_p[j] * q_fy - sin_p[j] * q_fx;
-            const real t17 = sin_p[j] * el_y[j] + cos_p[j] * el_x[j];
-            turn_cosines[0 * 8 + j] = t17;
-            moment_p[0 * 8 + j] = t17 * t13;
+            t17[j] = sin_p[j] * el_y[j] + cos_p[j] * el_x[j];
+            moment_p[0 * 8 + j] = t17[j] * t13;
             force_q[0 * 8 + j] = cos_q[j] * q_fx + sin_q[j] * q_fy;
             force_q[1 * 8 + j] = cos_q[j] * q_fy - sin_q[j] * q_fx;
-            const real t18 = sin_q[j] * el_y[j] + cos_q[j] * el_x[j];
-            turn_cosines[1 * 8 + j] = t18;
-            moment_q[0 * 8 + j] = -(t18 * t11);
-            shear_angle[0 * 8 + j] = 0.5 * real_abs(l0 * (t8 + t4)) * t22[j] * t20[j];
-            const real t24 = l0 * (0.054931640625 * cos_p[j] - 0.003662109375 * cos_q[j]);
-            axis[2 * 8 + j] = t23[j] + t24; /* axis(1,0) */
-            const real t26 = l0 * (0.054931640625 * sin_p[j] - 0.003662109375 * sin_q[j]);
-            axis[3 * 8 + j] = t25[j] + t26; /* axis(1,1) */
-            axis[4 * 8 + j] = t27[j] + l0 * (0.095703125 * cos_p[j] - 0.013671875 * cos_q[j]); /* axis(2,0) */
-            axis[5 * 8 + j] = t28[j] + l0 * (0.095703125 * sin_p[j] - 0.013671875 * sin_q[j]); /* axis(2,1) */
-            const real t30 = l0 * (0.123779296875 * cos_p[j] - 0.028564453125 * cos_q[j]);
-            axis[6 * 8 + j] = t29[j] + t30; /* axis(3,0) */
-            const real t32 = l0 * (0.123779296875 * sin_p[j] - 0.028564453125 * sin_q[j]);
-            axis[7 * 8 + j] = t31[j] + t32; /* axis(3,1) */
-            axis[8 * 8 + j] = t33[j] + l0 * (0.140625 * cos_p[j] - 0.046875 * cos_q[j]); /* axis(4,0) */
-            axis[9 * 8 + j] = t34[j] + l0 * (0.140625 * sin_p[j] - 0.046875 * sin_q[j]); /* axis(4,1) */
-            const real t36 = l0 * (0.147705078125 * cos_p[j] - 0.067138671875 * cos_q[j]);
-            axis[10 * 8 + j] = t35[j] + t36; /* axis(5,0) */
-            const real t38 = l0 * (0.147705078125 * sin_p[j] - 0.067138671875 * sin_q[j]);
-            axis[11 * 8 + j] = t37[j] + t38; /* axis(5,1) */
-            axis[12 * 8 + j] = t39[j] + l0 * (0.146484375 * cos_p[j] - 0.087890625 * cos_q[j]); /* axis(6,0) */
-            axis[13 * 8 + j] = t40[j] + l0 * (0.146484375 * sin_p[j] - 0.087890625 * sin_q[j]); /* axis(6,1) */
-            const real t42 = l0 * (0.138427734375 * cos_p[j] - 0.107666015625 * cos_q[j]);
-            axis[14 * 8 + j] = t41[j] + t42; /* axis(7,0) */
-            const real t44 = l0 * (0.138427734375 * sin_p[j] - 0.107666015625 * sin_q[j]);
-            axis[15 * 8 + j] = t43[j] + t44; /* axis(7,1) */
-            axis[16 * 8 + j] = t45[j] + 0.125 * l0 * (cos_p[j] - cos_q[j]); /* axis(8,0) */
-            axis[17 * 8 + j] = t46[j] + 0.125 * l0 * (sin_p[j] - sin_q[j]); /* axis(8,1) */
-            const real t48 = l0 * (0.107666015625 * cos_p[j] - 0.138427734375 * cos_q[j]);
-            axis[18 * 8 + j] = t47[j] + t48; /* axis(9,0) */
-            const real t50 = l0 * (0.107666015625 * sin_p[j] - 0.138427734375 * sin_q[j]);
-            axis[19 * 8 + j] = t49[j] + t50; /* axis(9,1) */
-            axis[20 * 8 + j] = t51[j] + l0 * (0.087890625 * cos_p[j] - 0.146484375 * cos_q[j]); /* axis(10,0) */
-            axis[21 * 8 + j] = t52[j] + l0 * (0.087890625 * sin_p[j] - 0.146484375 * sin_q[j]); /* axis(10,1) */
-            const real t54 = l0 * (0.067138671875 * cos_p[j] - 0.147705078125 * cos_q[j]);
-            axis[22 * 8 + j] = t53[j] + t54; /* axis(11,0) */
-            const real t56 = l0 * (0.067138671875 * sin_p[j] - 0.147705078125 * sin_q[j]);
-            axis[23 * 8 + j] = t55[j] + t56; /* axis(11,1) */
-            axis[24 * 8 + j] = t57[j] + l0 * (0.046875 * cos_p[j] - 0.140625 * cos_q[j]); /* axis(12,0) */
-            axis[25 * 8 + j] = t58[j] + l0 * (0.046875 * sin_p[j] - 0.140625 * sin_q[j]); /* axis(12,1) */
-            const real t60 = l0 * (0.028564453125 * cos_p[j] - 0.123779296875 * cos_q[j]);
-            axis[26 * 8 + j] = t59[j] + t60; /* axis(13,0) */
-            const real t62 = l0 * (0.028564453125 * sin_p[j] - 0.123779296875 * sin_q[j]);
-            axis[27 * 8 + j] = t61[j] + t62; /* axis(13,1) */
-            axis[28 * 8 + j] = t63[j] + l0 * (0.013671875 * cos_p[j] - 0.095703125 * cos_q[j]); /* axis(14,0) */
-            axis[29 * 8 + j] = t64[j] + l0 * (0.013671875 * sin_p[j] - 0.095703125 * sin_q[j]); /* axis(14,1) */
-            const real t66 = l0 * (0.003662109375 * cos_p[j] - 0.054931640625 * cos_q[j]);
-            axis[30 * 8 + j] = t65[j] + t66; /* axis(15,0) */
-            const real t68 = l0 * (0.003662109375 * sin_p[j] - 0.054931640625 * sin_q[j]);
-            axis[31 * 8 + j] = t67[j] + t68; /* axis(15,1) */
+            t18[j] = sin_q[j] * el_y[j] + cos_q[j] * el_x[j];
+            moment_q[0 * 8 + j] = -(t18[j] * t11);
+            const real t23 = real_abs(l0 * (t8 + t4)) * t22[j] * t20[j];
+            t24[j] = 0.5 * t23;
+            shear_angle[0 * 8 + j] = t24[j];
+            t25[j] = real_abs(t8);
+            t27[j] = real_abs(t4);
+            shear_range[0 * 8 + j] = 28.64788975654116 * t23;
+            const real t34 = l0 * (0.054931640625 * cos_p[j] - 0.003662109375 * cos_q[j]);
+            axis[2 * 8 + j] = t33[j] + t34; /* axis(1,0) */
+            const real t36 = l0 * (0.054931640625 * sin_p[j] - 0.003662109375 * sin_q[j]);
+            axis[3 * 8 + j] = t35[j] + t36; /* axis(1,1) */
+            axis[4 * 8 + j] = t37[j] + l0 * (0.095703125 * cos_p[j] - 0.013671875 * cos_q[j]); /* axis(2,0) */
+            axis[5 * 8 + j] = t38[j] + l0 * (0.095703125 * sin_p[j] - 0.013671875 * sin_q[j]); /* axis(2,1) */
+            const real t40 = l0 * (0.123779296875 * cos_p[j] - 0.028564453125 * cos_q[j]);
+            axis[6 * 8 + j] = t39[j] + t40; /* axis(3,0) */
+            const real t42 = l0 * (0.123779296875 * sin_p[j] - 0.028564453125 * sin_q[j]);
+            axis[7 * 8 + j] = t41[j] + t42; /* axis(3,1) */
+            axis[8 * 8 + j] = t43[j] + l0 * (0.140625 * cos_p[j] - 0.046875 * cos_q[j]); /* axis(4,0) */
+            axis[9 * 8 + j] = t44[j] + l0 * (0.140625 * sin_p[j] - 0.046875 * sin_q[j]); /* axis(4,1) */
+            const real t46 = l0 * (0.147705078125 * cos_p[j] - 0.067138671875 * cos_q[j]);
+            axis[10 * 8 + j] = t45[j] + t46; /* axis(5,0) */
+            const real t48 = l0 * (0.147705078125 * sin_p[j] - 0.067138671875 * sin_q[j]);
+            axis[11 * 8 + j] = t47[j] + t48; /* axis(5,1) */
+            axis[12 * 8 + j] = t49[j] + l0 * (0.146484375 * cos_p[j] - 0.087890625 * cos_q[j]); /* axis(6,0) */
+            axis[13 * 8 + j] = t50[j] + l0 * (0.146484375 * sin_p[j] - 0.087890625 * sin_q[j]); /* axis(6,1) */
+            const real t52 = l0 * (0.138427734375 * cos_p[j] - 0.107666015625 * cos_q[j]);
+            axis[14 * 8 + j] = t51[j] + t52; /* axis(7,0) */
+            const real t54 = l0 * (0.138427734375 * sin_p[j] - 0.107666015625 * sin_q[j]);
+            axis[15 * 8 + j] = t53[j] + t54; /* axis(7,1) */
+            axis[16 * 8 + j] = t55[j] + 0.125 * l0 * (cos_p[j] - cos_q[j]); /* axis(8,0) */
+            axis[17 * 8 + j] = t56[j] + 0.125 * l0 * (sin_p[j] - sin_q[j]); /* axis(8,1) */
+            const real t58 = l0 * (0.107666015625 * cos_p[j] - 0.138427734375 * cos_q[j]);
+            axis[18 * 8 + j] = t57[j] + t58; /* axis(9,0) */
+            const real t60 = l0 * (0.107666015625 * sin_p[j] - 0.138427734375 * sin_q[j]);
+            axis[19 * 8 + j] = t59[j] + t60; /* axis(9,1) */
+            axis[20 * 8 + j] = t61[j] + l0 * (0.087890625 * cos_p[j] - 0.146484375 * cos_q[j]); /* axis(10,0) */
+            axis[21 * 8 + j] = t62[j] + l0 * (0.087890625 * sin_p[j] - 0.146484375 * sin_q[j]); /* axis(10,1) */
+            const real t64 = l0 * (0.067138671875 * cos_p[j] - 0.147705078125 * cos_q[j]);
+            axis[22 * 8 + j] = t63[j] + t64; /* axis(11,0) */
+            const real t66 = l0 * (0.067138671875 * sin_p[j] - 0.147705078125 * sin_q[j]);
+            axis[23 * 8 + j] = t65[j] + t66; /* axis(11,1) */
+            axis[24 * 8 + j] = t67[j] + l0 * (0.046875 * cos_p[j] - 0.140625 * cos_q[j]); /* axis(12,0) */
+            axis[25 * 8 + j] = t68[j] + l0 * (0.046875 * sin_p[j] - 0.140625 * sin_q[j]); /* axis(12,1) */
+            const real t70 = l0 * (0.028564453125 * cos_p[j] - 0.123779296875 * cos_q[j]);
+            axis[26 * 8 + j] = t69[j] + t70; /* axis(13,0) */
+            const real t72 = l0 * (0.028564453125 * sin_p[j] - 0.123779296875 * sin_q[j]);
+            axis[27 * 8 + j] = t71[j] + t72; /* axis(13,1) */
+            axis[28 * 8 + j] = t73[j] + l0 * (0.013671875 * cos_p[j] - 0.095703125 * cos_q[j]); /* axis(14,0) */
+            axis[29 * 8 + j] = t74[j] + l0 * (0.013671875 * sin_p[j] - 0.095703125 * sin_q[j]); /* axis(14,1) */
+            const real t76 = l0 * (0.003662109375 * cos_p[j] - 0.054931640625 * cos_q[j]);
+            axis[30 * 8 + j] = t75[j] + t76; /* axis(15,0) */
+            const real t78 = l0 * (0.003662109375 * sin_p[j] - 0.054931640625 * sin_q[j]);
+            axis[31 * 8 + j] = t77[j] + t78; /* axis(15,1) */
             across[0 * 8 + j] = -sin_p[j]; /* across(0,0) */
             across[2 * 8 + j] = -sin_q[j]; /* across(1,0) */
+        }
+        for (size_t j = 0; j < 8; j++) {
+            t26[j] = real_atan2(t25[j], t17[j]);
+            t28[j] = real_atan2(t27[j], t18[j]);
+            t32[j] = real_sin(t24[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            t29[j] = t26[j] + t28[j];
+            bend_range[0 * 8 + j] = 57.29577951308232 * t29[j];
+            t31[j] = 1.0 / real_max(t29[j], 1e-09);
+            shear_range[1 * 8 + j] = 100.0 * (t32[j] * t32[j]);
+        }
+        for (size_t j = 0; j < 8; j++) {
+            t30[j] = real_sin(t29[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            bend_range[1 * 8 + j] = 100.0 * ((t29[j] - t30[j]) * t31[j]);
         }
     }
 }
 
 const flexel_element flexel_planar_beam = {
     .name = "planar_beam",
-    .digest = "9b209942b87a1ecb",
+    .digest = "7b74389e30f35162",
     .n = 6,
     .m = 3,
     .k = 0,

@@ -11,7 +11,7 @@
  *   minus
  * axis: places on the cubic axis; across: ey_p, ey_q
  * shear_angle = |phi_y/(1 + phi_y) (bend1 - bend2)|/(2 l0)
- * turn_cosines = ex_p.el, ex_q.el
+ * ranges [degrees, %]: bend = angle(ex_p, el) + angle(ex_q, el), 1 - sin(bend)/bend; shear_angle, sin(shear_angle)^2
  *
  * Source: SPACAR95 manual (Schwab and Meijaard 2000), PLBEAM, PLBEAMNL; signs of the spatial beam's b5, b6; Meijaard
  *   1996, Nonlinear Dyn. 9
@@ -1177,10 +1177,10 @@ static void planar_beam_first_order_tangent(size_t nblocks, const real *const *i
     }
 }
 
-/* outputs: 316 operations.
+/* outputs: 334 operations.
  * in:  x (6), sigma (3), tau (0), p (9)
- * out: force_p (2), moment_p (1), force_q (2), moment_q (1), shear_angle (1), turn_cosines (2), axis (17,2), across
- *   (2,2) */
+ * out: force_p (2), moment_p (1), force_q (2), moment_q (1), shear_angle (1), bend_range (2), shear_range (2), axis
+ *   (17,2), across (2,2) */
 FLEXEL_CLONES
 static void planar_beam_first_order_outputs(size_t nblocks, const real *const *in, real *const *out)
 {
@@ -1193,13 +1193,15 @@ static void planar_beam_first_order_outputs(size_t nblocks, const real *const *i
         real *restrict force_q = out[2] + b * (2 * 8);
         real *restrict moment_q = out[3] + b * (1 * 8);
         real *restrict shear_angle = out[4] + b * (1 * 8);
-        real *restrict turn_cosines = out[5] + b * (2 * 8);
-        real *restrict axis = out[6] + b * (34 * 8);
-        real *restrict across = out[7] + b * (4 * 8);
+        real *restrict bend_range = out[5] + b * (2 * 8);
+        real *restrict shear_range = out[6] + b * (2 * 8);
+        real *restrict axis = out[7] + b * (34 * 8);
+        real *restrict across = out[8] + b * (4 * 8);
         real t0[8], cos_p[8], d_x[8], d_y[8], t1[8], t2[8], sin_q[8], t3[8], sin_p[8], t4[8], t6[8], cos_q[8],
-            el_y[8], el_x[8], t12[8], t14[8], t16[8], t18[8], t20[8], t21[8], t22[8], t24[8], t26[8], t27[8], t28[8],
-            t30[8], t32[8], t33[8], t34[8], t36[8], t38[8], t39[8], t40[8], t42[8], t44[8], t45[8], t46[8], t48[8],
-            t50[8], t51[8], t52[8], t54[8], t56[8], t57[8], t58[8], t60[8];
+            el_y[8], el_x[8], t9[8], t10[8], t12[8], t16[8], t18[8], t19[8], t20[8], t21[8], t22[8], t23[8], t24[8],
+            t25[8], t26[8], t27[8], t29[8], t31[8], t32[8], t33[8], t35[8], t37[8], t38[8], t39[8], t41[8], t43[8],
+            t44[8], t45[8], t47[8], t49[8], t50[8], t51[8], t53[8], t55[8], t56[8], t57[8], t59[8], t61[8], t62[8],
+            t63[8], t65[8], t67[8], t68[8], t69[8], t71[8];
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
             const real rp_angle = x[2 * 8 + j];
@@ -1233,38 +1235,38 @@ static void planar_beam_first_order_outputs(size_t nblocks, const real *const *i
             const real EIz = p[5 * 8 + j];
             const real phi_y = 12.0 * (1.0 / GAy * (EIz * t11));
             t12[j] = real_abs(phi_y);
-            const real t13 = 1.0 / (1.0 + phi_y);
-            t14[j] = real_sqrt(t11 * t13 * t13);
-            t16[j] = 0.98876953125 * p_x + 0.01123046875 * q_x;
-            t18[j] = 0.98876953125 * p_y + 0.01123046875 * q_y;
-            t20[j] = 0.95703125 * p_x + 0.04296875 * q_x;
-            t21[j] = 0.95703125 * p_y + 0.04296875 * q_y;
-            t22[j] = 0.90771484375 * p_x + 0.09228515625 * q_x;
-            t24[j] = 0.90771484375 * p_y + 0.09228515625 * q_y;
-            t26[j] = 0.84375 * p_x + 0.15625 * q_x;
-            t27[j] = 0.84375 * p_y + 0.15625 * q_y;
-            t28[j] = 0.76806640625 * p_x + 0.23193359375 * q_x;
-            t30[j] = 0.76806640625 * p_y + 0.23193359375 * q_y;
-            t32[j] = 0.68359375 * p_x + 0.31640625 * q_x;
-            t33[j] = 0.68359375 * p_y + 0.31640625 * q_y;
-            t34[j] = 0.59326171875 * p_x + 0.40673828125 * q_x;
-            t36[j] = 0.59326171875 * p_y + 0.40673828125 * q_y;
-            t38[j] = 0.5 * (p_x + q_x);
-            t39[j] = 0.5 * (p_y + q_y);
-            t40[j] = 0.40673828125 * p_x + 0.59326171875 * q_x;
-            t42[j] = 0.40673828125 * p_y + 0.59326171875 * q_y;
-            t44[j] = 0.31640625 * p_x + 0.68359375 * q_x;
-            t45[j] = 0.31640625 * p_y + 0.68359375 * q_y;
-            t46[j] = 0.23193359375 * p_x + 0.76806640625 * q_x;
-            t48[j] = 0.23193359375 * p_y + 0.76806640625 * q_y;
-            t50[j] = 0.15625 * p_x + 0.84375 * q_x;
-            t51[j] = 0.15625 * p_y + 0.84375 * q_y;
-            t52[j] = 0.09228515625 * p_x + 0.90771484375 * q_x;
-            t54[j] = 0.09228515625 * p_y + 0.90771484375 * q_y;
-            t56[j] = 0.04296875 * p_x + 0.95703125 * q_x;
-            t57[j] = 0.04296875 * p_y + 0.95703125 * q_y;
-            t58[j] = 0.01123046875 * p_x + 0.98876953125 * q_x;
-            t60[j] = 0.01123046875 * p_y + 0.98876953125 * q_y;
+            const real t15 = 1.0 / (1.0 + phi_y);
+            t16[j] = real_sqrt(t11 * t15 * t15);
+            t27[j] = 0.98876953125 * p_x + 0.01123046875 * q_x;
+            t29[j] = 0.98876953125 * p_y + 0.01123046875 * q_y;
+            t31[j] = 0.95703125 * p_x + 0.04296875 * q_x;
+            t32[j] = 0.95703125 * p_y + 0.04296875 * q_y;
+            t33[j] = 0.90771484375 * p_x + 0.09228515625 * q_x;
+            t35[j] = 0.90771484375 * p_y + 0.09228515625 * q_y;
+            t37[j] = 0.84375 * p_x + 0.15625 * q_x;
+            t38[j] = 0.84375 * p_y + 0.15625 * q_y;
+            t39[j] = 0.76806640625 * p_x + 0.23193359375 * q_x;
+            t41[j] = 0.76806640625 * p_y + 0.23193359375 * q_y;
+            t43[j] = 0.68359375 * p_x + 0.31640625 * q_x;
+            t44[j] = 0.68359375 * p_y + 0.31640625 * q_y;
+            t45[j] = 0.59326171875 * p_x + 0.40673828125 * q_x;
+            t47[j] = 0.59326171875 * p_y + 0.40673828125 * q_y;
+            t49[j] = 0.5 * (p_x + q_x);
+            t50[j] = 0.5 * (p_y + q_y);
+            t51[j] = 0.40673828125 * p_x + 0.59326171875 * q_x;
+            t53[j] = 0.40673828125 * p_y + 0.59326171875 * q_y;
+            t55[j] = 0.31640625 * p_x + 0.68359375 * q_x;
+            t56[j] = 0.31640625 * p_y + 0.68359375 * q_y;
+            t57[j] = 0.23193359375 * p_x + 0.76806640625 * q_x;
+            t59[j] = 0.23193359375 * p_y + 0.76806640625 * q_y;
+            t61[j] = 0.15625 * p_x + 0.84375 * q_x;
+            t62[j] = 0.15625 * p_y + 0.84375 * q_y;
+            t63[j] = 0.09228515625 * p_x + 0.90771484375 * q_x;
+            t65[j] = 0.09228515625 * p_y + 0.90771484375 * q_y;
+            t67[j] = 0.04296875 * p_x + 0.95703125 * q_x;
+            t68[j] = 0.04296875 * p_y + 0.95703125 * q_y;
+            t69[j] = 0.01123046875 * p_x + 0.98876953125 * q_x;
+            t71[j] = 0.01123046875 * p_y + 0.98876953125 * q_y;
         }
         for (size_t j = 0; j < 8; j++) {
             cos_p[j] = real_cos(t0[j]);
@@ -1284,73 +1286,96 @@ static void planar_beam_first_order_outputs(size_t nblocks, const real *const *i
             const real q_fy = t1[j] * t7 + d_y[j] * t8;
             force_p[0 * 8 + j] = cos_p[j] * q_fx + sin_p[j] * q_fy;
             force_p[1 * 8 + j] = cos_p[j] * q_fy - sin_p[j] * q_fx;
-            const real t9 = sin_p[j] * el_y[j] + cos_p[j] * el_x[j];
-            turn_cosines[0 * 8 + j] = t9;
-            moment_p[0 * 8 + j] = t9 * t4[j];
+            t9[j] = sin_p[j] * el_y[j] + cos_p[j] * el_x[j];
+            moment_p[0 * 8 + j] = t9[j] * t4[j];
             force_q[0 * 8 + j] = cos_q[j] * q_fx + sin_q[j] * q_fy;
             force_q[1 * 8 + j] = cos_q[j] * q_fy - sin_q[j] * q_fx;
-            const real t10 = sin_q[j] * el_y[j] + cos_q[j] * el_x[j];
-            turn_cosines[1 * 8 + j] = t10;
-            const real rq_fangle = t10 * t3[j];
+            t10[j] = sin_q[j] * el_y[j] + cos_q[j] * el_x[j];
+            const real rq_fangle = t10[j] * t3[j];
             moment_q[0 * 8 + j] = rq_fangle;
-            const real t15 = el_y[j] * (cos_p[j] + cos_q[j]) - el_x[j] * (sin_p[j] + sin_q[j]);
+            const real t13 = cos_p[j] * el_y[j] - sin_p[j] * el_x[j];
+            const real t14 = cos_q[j] * el_y[j] - sin_q[j] * el_x[j];
             const real l0 = p[0 * 8 + j];
-            shear_angle[0 * 8 + j] = 0.5 * t14[j] * real_abs(l0 * t15) * t12[j];
-            const real t17 = l0 * (0.054931640625 * cos_p[j] - 0.003662109375 * cos_q[j]);
-            axis[2 * 8 + j] = t16[j] + t17; /* axis(1,0) */
-            const real t19 = l0 * (0.054931640625 * sin_p[j] - 0.003662109375 * sin_q[j]);
-            axis[3 * 8 + j] = t18[j] + t19; /* axis(1,1) */
-            axis[4 * 8 + j] = t20[j] + l0 * (0.095703125 * cos_p[j] - 0.013671875 * cos_q[j]); /* axis(2,0) */
-            axis[5 * 8 + j] = t21[j] + l0 * (0.095703125 * sin_p[j] - 0.013671875 * sin_q[j]); /* axis(2,1) */
-            const real t23 = l0 * (0.123779296875 * cos_p[j] - 0.028564453125 * cos_q[j]);
-            axis[6 * 8 + j] = t22[j] + t23; /* axis(3,0) */
-            const real t25 = l0 * (0.123779296875 * sin_p[j] - 0.028564453125 * sin_q[j]);
-            axis[7 * 8 + j] = t24[j] + t25; /* axis(3,1) */
-            axis[8 * 8 + j] = t26[j] + l0 * (0.140625 * cos_p[j] - 0.046875 * cos_q[j]); /* axis(4,0) */
-            axis[9 * 8 + j] = t27[j] + l0 * (0.140625 * sin_p[j] - 0.046875 * sin_q[j]); /* axis(4,1) */
-            const real t29 = l0 * (0.147705078125 * cos_p[j] - 0.067138671875 * cos_q[j]);
-            axis[10 * 8 + j] = t28[j] + t29; /* axis(5,0) */
-            const real t31 = l0 * (0.147705078125 * sin_p[j] - 0.067138671875 * sin_q[j]);
-            axis[11 * 8 + j] = t30[j] + t31; /* axis(5,1) */
-            axis[12 * 8 + j] = t32[j] + l0 * (0.146484375 * cos_p[j] - 0.087890625 * cos_q[j]); /* axis(6,0) */
-            axis[13 * 8 + j] = t33[j] + l0 * (0.146484375 * sin_p[j] - 0.087890625 * sin_q[j]); /* axis(6,1) */
-            const real t35 = l0 * (0.138427734375 * cos_p[j] - 0.107666015625 * cos_q[j]);
-            axis[14 * 8 + j] = t34[j] + t35; /* axis(7,0) */
-            const real t37 = l0 * (0.138427734375 * sin_p[j] - 0.107666015625 * sin_q[j]);
-            axis[15 * 8 + j] = t36[j] + t37; /* axis(7,1) */
-            axis[16 * 8 + j] = t38[j] + 0.125 * l0 * (cos_p[j] - cos_q[j]); /* axis(8,0) */
-            axis[17 * 8 + j] = t39[j] + 0.125 * l0 * (sin_p[j] - sin_q[j]); /* axis(8,1) */
-            const real t41 = l0 * (0.107666015625 * cos_p[j] - 0.138427734375 * cos_q[j]);
-            axis[18 * 8 + j] = t40[j] + t41; /* axis(9,0) */
-            const real t43 = l0 * (0.107666015625 * sin_p[j] - 0.138427734375 * sin_q[j]);
-            axis[19 * 8 + j] = t42[j] + t43; /* axis(9,1) */
-            axis[20 * 8 + j] = t44[j] + l0 * (0.087890625 * cos_p[j] - 0.146484375 * cos_q[j]); /* axis(10,0) */
-            axis[21 * 8 + j] = t45[j] + l0 * (0.087890625 * sin_p[j] - 0.146484375 * sin_q[j]); /* axis(10,1) */
-            const real t47 = l0 * (0.067138671875 * cos_p[j] - 0.147705078125 * cos_q[j]);
-            axis[22 * 8 + j] = t46[j] + t47; /* axis(11,0) */
-            const real t49 = l0 * (0.067138671875 * sin_p[j] - 0.147705078125 * sin_q[j]);
-            axis[23 * 8 + j] = t48[j] + t49; /* axis(11,1) */
-            axis[24 * 8 + j] = t50[j] + l0 * (0.046875 * cos_p[j] - 0.140625 * cos_q[j]); /* axis(12,0) */
-            axis[25 * 8 + j] = t51[j] + l0 * (0.046875 * sin_p[j] - 0.140625 * sin_q[j]); /* axis(12,1) */
-            const real t53 = l0 * (0.028564453125 * cos_p[j] - 0.123779296875 * cos_q[j]);
-            axis[26 * 8 + j] = t52[j] + t53; /* axis(13,0) */
-            const real t55 = l0 * (0.028564453125 * sin_p[j] - 0.123779296875 * sin_q[j]);
-            axis[27 * 8 + j] = t54[j] + t55; /* axis(13,1) */
-            axis[28 * 8 + j] = t56[j] + l0 * (0.013671875 * cos_p[j] - 0.095703125 * cos_q[j]); /* axis(14,0) */
-            axis[29 * 8 + j] = t57[j] + l0 * (0.013671875 * sin_p[j] - 0.095703125 * sin_q[j]); /* axis(14,1) */
-            const real t59 = l0 * (0.003662109375 * cos_p[j] - 0.054931640625 * cos_q[j]);
-            axis[30 * 8 + j] = t58[j] + t59; /* axis(15,0) */
-            const real t61 = l0 * (0.003662109375 * sin_p[j] - 0.054931640625 * sin_q[j]);
-            axis[31 * 8 + j] = t60[j] + t61; /* axis(15,1) */
+            const real t17 = real_abs(l0 * (t13 + t14)) * t16[j] * t12[j];
+            t18[j] = 0.5 * t17;
+            shear_angle[0 * 8 + j] = t18[j];
+            t19[j] = real_abs(t13);
+            t21[j] = real_abs(t14);
+            shear_range[0 * 8 + j] = 28.64788975654116 * t17;
+            const real t28 = l0 * (0.054931640625 * cos_p[j] - 0.003662109375 * cos_q[j]);
+            axis[2 * 8 + j] = t27[j] + t28; /* axis(1,0) */
+            const real t30 = l0 * (0.054931640625 * sin_p[j] - 0.003662109375 * sin_q[j]);
+            axis[3 * 8 + j] = t29[j] + t30; /* axis(1,1) */
+            axis[4 * 8 + j] = t31[j] + l0 * (0.095703125 * cos_p[j] - 0.013671875 * cos_q[j]); /* axis(2,0) */
+            axis[5 * 8 + j] = t32[j] + l0 * (0.095703125 * sin_p[j] - 0.013671875 * sin_q[j]); /* axis(2,1) */
+            const real t34 = l0 * (0.123779296875 * cos_p[j] - 0.028564453125 * cos_q[j]);
+            axis[6 * 8 + j] = t33[j] + t34; /* axis(3,0) */
+            const real t36 = l0 * (0.123779296875 * sin_p[j] - 0.028564453125 * sin_q[j]);
+            axis[7 * 8 + j] = t35[j] + t36; /* axis(3,1) */
+            axis[8 * 8 + j] = t37[j] + l0 * (0.140625 * cos_p[j] - 0.046875 * cos_q[j]); /* axis(4,0) */
+            axis[9 * 8 + j] = t38[j] + l0 * (0.140625 * sin_p[j] - 0.046875 * sin_q[j]); /* axis(4,1) */
+            const real t40 = l0 * (0.147705078125 * cos_p[j] - 0.067138671875 * cos_q[j]);
+            axis[10 * 8 + j] = t39[j] + t40; /* axis(5,0) */
+            const real t42 = l0 * (0.147705078125 * sin_p[j] - 0.067138671875 * sin_q[j]);
+            axis[11 * 8 + j] = t41[j] + t42; /* axis(5,1) */
+            axis[12 * 8 + j] = t43[j] + l0 * (0.146484375 * cos_p[j] - 0.087890625 * cos_q[j]); /* axis(6,0) */
+            axis[13 * 8 + j] = t44[j] + l0 * (0.146484375 * sin_p[j] - 0.087890625 * sin_q[j]); /* axis(6,1) */
+            const real t46 = l0 * (0.138427734375 * cos_p[j] - 0.107666015625 * cos_q[j]);
+            axis[14 * 8 + j] = t45[j] + t46; /* axis(7,0) */
+            const real t48 = l0 * (0.138427734375 * sin_p[j] - 0.107666015625 * sin_q[j]);
+            axis[15 * 8 + j] = t47[j] + t48; /* axis(7,1) */
+            axis[16 * 8 + j] = t49[j] + 0.125 * l0 * (cos_p[j] - cos_q[j]); /* axis(8,0) */
+            axis[17 * 8 + j] = t50[j] + 0.125 * l0 * (sin_p[j] - sin_q[j]); /* axis(8,1) */
+            const real t52 = l0 * (0.107666015625 * cos_p[j] - 0.138427734375 * cos_q[j]);
+            axis[18 * 8 + j] = t51[j] + t52; /* axis(9,0) */
+            const real t54 = l0 * (0.107666015625 * sin_p[j] - 0.138427734375 * sin_q[j]);
+            axis[19 * 8 + j] = t53[j] + t54; /* axis(9,1) */
+            axis[20 * 8 + j] = t55[j] + l0 * (0.087890625 * cos_p[j] - 0.146484375 * cos_q[j]); /* axis(10,0) */
+            axis[21 * 8 + j] = t56[j] + l0 * (0.087890625 * sin_p[j] - 0.146484375 * sin_q[j]); /* axis(10,1) */
+            const real t58 = l0 * (0.067138671875 * cos_p[j] - 0.147705078125 * cos_q[j]);
+            axis[22 * 8 + j] = t57[j] + t58; /* axis(11,0) */
+            const real t60 = l0 * (0.067138671875 * sin_p[j] - 0.147705078125 * sin_q[j]);
+            axis[23 * 8 + j] = t59[j] + t60; /* axis(11,1) */
+            axis[24 * 8 + j] = t61[j] + l0 * (0.046875 * cos_p[j] - 0.140625 * cos_q[j]); /* axis(12,0) */
+            axis[25 * 8 + j] = t62[j] + l0 * (0.046875 * sin_p[j] - 0.140625 * sin_q[j]); /* axis(12,1) */
+            const real t64 = l0 * (0.028564453125 * cos_p[j] - 0.123779296875 * cos_q[j]);
+            axis[26 * 8 + j] = t63[j] + t64; /* axis(13,0) */
+            const real t66 = l0 * (0.028564453125 * sin_p[j] - 0.123779296875 * sin_q[j]);
+            axis[27 * 8 + j] = t65[j] + t66; /* axis(13,1) */
+            axis[28 * 8 + j] = t67[j] + l0 * (0.013671875 * cos_p[j] - 0.095703125 * cos_q[j]); /* axis(14,0) */
+            axis[29 * 8 + j] = t68[j] + l0 * (0.013671875 * sin_p[j] - 0.095703125 * sin_q[j]); /* axis(14,1) */
+            const real t70 = l0 * (0.003662109375 * cos_p[j] - 0.054931640625 * cos_q[j]);
+            axis[30 * 8 + j] = t69[j] + t70; /* axis(15,0) */
+            const real t72 = l0 * (0.003662109375 * sin_p[j] - 0.054931640625 * sin_q[j]);
+            axis[31 * 8 + j] = t71[j] + t72; /* axis(15,1) */
             across[0 * 8 + j] = -sin_p[j]; /* across(0,0) */
             across[2 * 8 + j] = -sin_q[j]; /* across(1,0) */
+        }
+        for (size_t j = 0; j < 8; j++) {
+            t20[j] = real_atan2(t19[j], t9[j]);
+            t22[j] = real_atan2(t21[j], t10[j]);
+            t26[j] = real_sin(t18[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            t23[j] = t20[j] + t22[j];
+            bend_range[0 * 8 + j] = 57.29577951308232 * t23[j];
+            t25[j] = 1.0 / real_max(t23[j], 1e-09);
+            shear_range[1 * 8 + j] = 100.0 * (t26[j] * t26[j]);
+        }
+        for (size_t j = 0; j < 8; j++) {
+            t24[j] = real_sin(t23[j]);
+        }
+#pragma omp simd
+        for (size_t j = 0; j < 8; j++) {
+            bend_range[1 * 8 + j] = 100.0 * ((t23[j] - t24[j]) * t25[j]);
         }
     }
 }
 
 const flexel_element flexel_planar_beam_first_order = {
     .name = "planar_beam_first_order",
-    .digest = "d9074a77bce09529",
+    .digest = "c910143fcaf9ef0d",
     .n = 6,
     .m = 3,
     .k = 0,

@@ -21,11 +21,11 @@ from flexel.base.shown import listed, prints
 from flexel.engine.evaluate import Evaluation
 from flexel.mechanics import dynamics, states
 from flexel.mechanics.amplification import amplification, lost, warn_replaced
-from flexel.mechanics.bent import warn_bent
 from flexel.mechanics.diagnose import choose_dofs, named_dofs
 from flexel.mechanics.kinematics import Configuration, Kinematics
 from flexel.mechanics.linearize import linearize
 from flexel.mechanics.linearized_system import LinearizedSystem
+from flexel.mechanics.ranges import warn_beyond
 from flexel.mechanics.start_rates import consistent_rates
 from flexel.model.applied_loads import Loads
 from flexel.model.callbacks import Callback, callbacks_of, raise_failures
@@ -237,7 +237,7 @@ class CoreSystem:
     def linearize(self, state: State | None = None) -> LinearizedSystem:
         """Linearize analytically about a state (the initial one by default); see `System.linearize`."""
         state = self.initial if state is None else own_state(self.structure, state, "linearize")
-        warn_bent(self.structure, [state.t], state.e[None], state.x[None], "linearize")
+        warn_beyond(self.structure, [state.t], state.e[None], state.x[None], "linearize")
         return self._linearization(state)
 
     def _linearization(self, state: State) -> LinearizedSystem:

@@ -16,7 +16,7 @@ from flexel.base.blas import in_one_thread
 from flexel.base.callers import outside
 from flexel.base.errors import DynamicsError, IncompleteWarning, ModelWarning, PositionError
 from flexel.integration.outcome import Integration
-from flexel.mechanics.bent import warn_bent, warned_together
+from flexel.mechanics.ranges import warn_beyond, warned_together
 from flexel.model.state import State
 from flexel.parts.model import Model
 from flexel.results.flexure_result import Flexure
@@ -93,7 +93,7 @@ def flexure(
         variables = measuring.variables(states)
     steps = Integration.of_equilibria(states, message)
     path = steps.states
-    warn_bent(system.structure, path.times, path.deformations, path.coordinates, "flexure")
+    warn_beyond(system.structure, path.times, path.deformations, path.coordinates, "flexure")
     labels = measuring.labels(variables)
     found = Flexure(Motion(system, steps), variables, labels, released, redundant, measuring.notes)
     _warn_stresses(found, len(tables.ends))

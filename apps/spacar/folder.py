@@ -12,7 +12,7 @@ from flexel.apps.spacar.reading import Spacar, read_spacar
 from flexel.apps.spacar.run_file import usual_mode
 from flexel.base.errors import FlexelError, ModelError
 from flexel.base.shown import PrintedTable, prints
-from flexel.mechanics.bent import warned_together
+from flexel.mechanics.ranges import warned_together
 from flexel.results.saved.loading import SPACAR
 
 SPACE, SPACE_ALONG = 8, 9  # modes that give state-space models

@@ -16,9 +16,9 @@ from flexel.base.arrays import Array, ComplexArray
 from flexel.base.errors import ModelError
 from flexel.base.shown import Listing
 from flexel.linear.sensors import state_space
-from flexel.mechanics.bent import warn_bent
 from flexel.mechanics.linearize import linearize
 from flexel.mechanics.linearized_system import LinearizedSystem
+from flexel.mechanics.ranges import warn_beyond
 from flexel.model.controller import check_smooth
 from flexel.model.state import State, own_state
 from flexel.results.system_facade import System
@@ -109,7 +109,7 @@ class LinearModels(SpacarFile):
             If these do not determine the motion at the state.
         """
         state = system.initial if state is None else own_state(system.structure, state, self.path.name)
-        warn_bent(system.structure, [state.t], state.e[None], state.x[None], "linearize")
+        warn_beyond(system.structure, [state.t], state.e[None], state.x[None], "linearize")
         check_smooth(system.structure.controllers, state)
         return linearize(system.kinematics, state)
 

@@ -17,7 +17,7 @@ from flexel.apps.spacar.reading import Spacar, read_spacar
 from flexel.base.errors import ModelError
 from flexel.base.files import replacing
 from flexel.base.shown import prints
-from flexel.mechanics.bent import warn_bent, warned_together
+from flexel.mechanics.ranges import warn_beyond, warned_together
 from flexel.results.motion import Motion
 from flexel.results.saved.tables_of_runs import motion_beside
 
@@ -94,7 +94,7 @@ def run_spacar(
     if found.states:
         times = [state.t for state in found.states]
         e, x = (np.array([getattr(state, array) for state in found.states]) for array in "ex")
-        warn_bent(found.states[0].structure, times, e, x, file.path.name)
+        warn_beyond(found.states[0].structure, times, e, x, file.path.name)
     motion = found.motion
     head = [
         f"{file.path.name}: SPACAR, {file.dialect} dialect, mode {mode}",

@@ -15,7 +15,7 @@ from flexel.derive.declare.element_nodes import (
 )
 from flexel.derive.declare.law import Internal, Law, Limit
 from flexel.derive.declare.let import Let
-from flexel.derive.declare.output import Output
+from flexel.derive.declare.output import Output, ValidRange
 from flexel.derive.declare.symbols import TIME, symbol
 
 __all__ = [
@@ -36,6 +36,7 @@ __all__ = [
     "Point",
     "Slip",
     "Slope",
+    "ValidRange",
     "Warping",
     "symbol",
 ]

@@ -22,9 +22,7 @@ class Deformation:
         The jump after a full turn: 2 pi, or a sum of products of powers of parameters. Zero states that it never
         jumps, although an atan2 in it could.
     kind : str, optional
-        The gap of a contact ("gap"), the norm of a frame's Euler parameters ("norm"), or l0 times the sine of the twist
-        ("twist") or of the angle of an end with the chord ("bend_y", "bend_z"), or a part of l0 times the rotation
-        vector between the ends ("turn_x", "turn_y", "turn_z").
+        The gap of a contact ("gap") or the norm of a frame's Euler parameters ("norm").
     kinked : bool, optional
         Whether its derivatives jump at configurations that motions reach; it is then never chosen as a degree of
         freedom.

@@ -61,3 +61,44 @@ class Output:
         """Shape of the array: a column has one dimension, and so has a single number."""
         rows, columns = self.values.shape if hasattr(self.values, "shape") else (1, 1)
         return (rows,) if columns == 1 else (rows, columns)
+
+
+@dataclass(frozen=True)
+class ValidRange(Output):
+    """Range in which an element is valid: a measure that every analysis compares with its limit.
+
+    Beyond the limit a `RangeWarning` names the element with the largest measure.
+
+    Parameters
+    ----------
+    name, unit : str
+    values : Matrix
+        The measure, such as an angle between the ends [°], and what else the warning tells, such as an error.
+    limit : float
+        Largest measure in the range.
+    beyond : str
+        What the warning says of an element, after its name, with fields in braces: ``{value}``, ``{error}`` (the two
+        values), ``{where}`` (the instant, and how many others are beyond the limit) and ``{count}`` (the ratio of the
+        measure to the limit, rounded up: a sufficient number of elements if the measure is shared among them).
+    """
+
+    limit: float = 0.0
+    beyond: str = ""
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        owner = f"range '{self.name}'"
+        if self.shape != (2,):
+            raise ElementError(f"{owner} has values of shape {self.shape}; give two, a measure and an error")
+        if not (isinstance(self.limit, (int, float)) and self.limit > 0):
+            raise ElementError(
+                f"{owner}: limit {self.limit!r} is not positive; give the largest measure that is valid"
+            )
+        try:
+            self.beyond.format(value=1.0, error=1.0, where="", count=1)
+        except (KeyError, IndexError, ValueError) as error:
+            raise ElementError(
+                f"{owner}: beyond {self.beyond!r} has other fields than value, error, where and count: {error}"
+            ) from None
+        if "{where}" not in self.beyond:
+            raise ElementError(f"{owner}: beyond {self.beyond!r} does not say where; put {{where}} in it")

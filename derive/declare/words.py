@@ -55,11 +55,9 @@ PICTURES = (
 )
 # What a picture draws of an output: nothing, a line in one of these styles, or a mark.
 LINES = ("", "bar", "beam", "rope", "rim", "spoke", "valve", "axle", "mass")
-# What a deformation is, apart from a measure: the gap of a contact (open where positive), the norm of a frame's Euler
-# parameters (which always holds), or the length l0 times the sine of an angle: of the twist between the ends, or of an
-# end with the chord, where those of the same bending plane count together; or l0 times a component of the rotation
-# vector between the ends, which jumps after half a turn, where those of the same axis are added.
-KINDS = ("", "gap", "norm", "twist", "bend_y", "bend_z", "turn_x", "turn_y", "turn_z")
+# What a deformation is, apart from a measure: the gap of a contact (open where positive), or the norm of a frame's
+# Euler parameters (which always holds).
+KINDS = ("", "gap", "norm")
 # What the numbers of a parameter must be; "semidefinite": together the upper triangle of a matrix, row by row, that has
 # no negative eigenvalue.
 SIGNS = ("any", "positive", "not negative", "not zero", "at least one")

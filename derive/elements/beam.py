@@ -8,7 +8,8 @@ from flexel.derive.declare import Deformation, Element, Frame, Let, Node, Point
 from flexel.derive.declare.rotation import HALF, body_angular_velocity, dot, norm, product, triad_rate
 from flexel.derive.declare.shape import hermite_energy, hermite_mean, rotary_energy, shear_number
 from flexel.derive.declare.symbols import symbol
-from flexel.derive.elements.section_outputs import axis, section_forces, shear_angle, turn_cosines
+from flexel.derive.elements.beam_ranges import classic_ranges, shear_angle
+from flexel.derive.elements.section_outputs import axis, section_forces
 from flexel.derive.elements.shared_parameters import EIY, EIZ, GAY, GAZ, GRAVITY, L0, RHOA, RHOJ, TP, TQ
 from flexel.derive.elements.triads import Triad, named_quaternion, named_triad
 
@@ -35,16 +36,11 @@ f = De'sigma: force_p, moment_p = -(R(u_p)'f_xp, L(u_p) (f_lambda_p o tp)/2), fo
    the minus
 axis: places on the cubic axis; across: ey_p, ey_q"""
 ANGLE = """
-shear_angle = |(phi_z/(1 + phi_z) (bend1 - bend2), phi_y/(1 + phi_y) (bend3 - bend4))|/(2 l0)"""
-COSINES = """
-turn_cosines = ex_p.el, ex_q.el, (ey_p.ey_q + ez_p.ez_q)/2"""
-
-BENDS = (
-    ("bend1", "bend_y"),
-    ("bend2", "bend_y"),
-    ("bend3", "bend_z"),
-    ("bend4", "bend_z"),
-)  # names and kinds
+shear_angle = |(phi_z/(1 + phi_z) (bend1 - bend2), phi_y/(1 + phi_y) (bend3 - bend4))|/(2 l0)
+ranges [degrees, %]: bend = angle(ex_p, el) + angle(ex_q, el), 1 - sin(bend)/bend; twist = angle with the sine
+   (ez_p.ey_q - ey_p.ez_q)/2 and the cosine (ey_p.ey_q + ez_p.ez_q)/2, 1 - sin(2 twist)/(2 twist);
+   shear_angle, sin(shear_angle)^2"""
+BENDS = ("bend1", "bend2", "bend3", "bend4")
 
 
 LENGTH = symbol("l")  # distance of the ends, named by `first_order`
@@ -76,8 +72,8 @@ def shear_numbers(let: Let) -> tuple[Symbol, Symbol]:
 
 def deformations(e: list[Expr]) -> tuple[Deformation, ...]:
     """Return the six deformations with their names, from their expressions."""
-    kinds = (("elongation", ""), ("torsion", "twist"), *BENDS)
-    return tuple(Deformation(name, "m", expr, kind=kind) for (name, kind), expr in zip(kinds, e, strict=True))
+    names = ("elongation", "torsion", *BENDS)
+    return tuple(Deformation(name, "m", expr) for name, expr in zip(names, e, strict=True))
 
 
 def second_order(b: list[Expr], l0: Expr) -> list[Expr]:
@@ -149,6 +145,7 @@ def _beam(name: str, second: bool) -> Element:
     modes, (phi_y, phi_z) = deformations(e), shear_numbers(let)
     energy = kinetic_energy(let, nodes, us, tp, tq, (phi_y, phi_z))
     centre = hermite_mean(p.x, l0 * tp[0], q.x, l0 * tq[0])
+    sheared = shear_angle([(modes[2], modes[3], phi_z), (modes[4], modes[5], phi_y)])
     return Element(
         name=name,
         family="beam",
@@ -160,13 +157,13 @@ def _beam(name: str, second: bool) -> Element:
         deformations=modes,
         kinetic_energy=energy,
         potential=-RHOA.symbol * l0 * dot(GRAVITY.vector, centre),
-        doc=FIRST + (_SECOND if second else _NO_SECOND) + _ENERGY + FORCES + ANGLE + COSINES,
+        doc=FIRST + (_SECOND if second else _NO_SECOND) + _ENERGY + FORCES + ANGLE,
         source="Meijaard 1996, Nonlinear Dyn. 9; Jonker and Meijaard 2013, Int. J. Non-Linear Mech. 53; "
         "Przemieniecki 1968 (mass with rotary inertia)",
         outputs=(
             *section_forces(nodes, us, (tp, tq)),
-            shear_angle(modes, {"bend_y": phi_z, "bend_z": phi_y}),
-            turn_cosines((q.x - p.x) / LENGTH, tp, tq),
+            sheared,
+            *classic_ranges((q.x - p.x) / LENGTH, tp, tq, sheared),
             *axis(p, q, (tp, tq)),
         ),
     )

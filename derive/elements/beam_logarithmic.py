@@ -2,11 +2,12 @@
 
 from sympy import Expr, Matrix
 
-from flexel.derive.declare import Deformation, Element, Frame, Let, Node, Point
+from flexel.derive.declare import Element, Frame, Let, Node, Point
 from flexel.derive.declare.logarithm import rotation_vector, turned_back
 from flexel.derive.declare.rotation import HALF, components, conjugate, cross, dot, norm, product
 from flexel.derive.declare.shape import hermite_mean
-from flexel.derive.elements.beam import FORCES, LENGTH, SHEAR, kinetic_energy, shear_numbers
+from flexel.derive.elements.beam import FORCES, LENGTH, SHEAR, deformations, kinetic_energy, shear_numbers
+from flexel.derive.elements.beam_ranges import logarithmic_range
 from flexel.derive.elements.rod import bow_stretch, shortening
 from flexel.derive.elements.section_outputs import axis, section_forces
 from flexel.derive.elements.shared_parameters import EIY, EIZ, GAY, GAZ, GRAVITY, L0, RHOA, RHOJ, TP, TQ
@@ -27,15 +28,6 @@ bend3, bend4 = l0 (bent_z/2 + (1 + phi_y) bow_z), l0 (bent_z/2 - (1 + phi_y) bow
 T: cubic Hermite interpolation of the axis with slopes l0 ex at the ends, rotary inertia of the sections with
    the shear-corrected (phi_y, phi_z) cubic shapes, torsion linear; w_p, w_q angular velocities in the triads
 U = -rhoA l0 gravity.((xp + xq)/2 + l0 (ex_p - ex_q)/12)"""
-
-_MODES = (
-    ("elongation", ""),
-    ("torsion", "turn_x"),
-    ("bend1", "turn_y"),
-    ("bend2", "turn_y"),
-    ("bend3", "turn_z"),
-    ("bend4", "turn_z"),
-)  # names and kinds
 
 
 def _deformations(
@@ -79,6 +71,7 @@ def _beam_logarithmic() -> Element:
     e = _deformations(let, p, q, us, tp, shear)
     energy = kinetic_energy(let, nodes, us, tp, tq, shear)
     centre = hermite_mean(p.x, l0 * tp[0], q.x, l0 * tq[0])
+    modes = deformations(e)
     return Element(
         name="beam_logarithmic",
         family="beam",
@@ -87,14 +80,12 @@ def _beam_logarithmic() -> Element:
         nodes=nodes,
         parameters=(L0, TP, TQ, RHOA, RHOJ, EIY, EIZ, GAY, GAZ, GRAVITY),
         let=let.entries,
-        deformations=tuple(
-            Deformation(name, "m", expr, kind=kind) for (name, kind), expr in zip(_MODES, e, strict=True)
-        ),
+        deformations=modes,
         kinetic_energy=energy,
         potential=-RHOA.symbol * l0 * dot(GRAVITY.vector, centre),
         doc=_DOC + FORCES,
         source="Simo 1985, Comput. Methods Appl. Mech. Eng. 49 (strains of a rod); Crisfield 1990 (triad halfway)",
-        outputs=(*section_forces(nodes, us, (tp, tq)), *axis(p, q, (tp, tq))),
+        outputs=(*section_forces(nodes, us, (tp, tq)), logarithmic_range(modes), *axis(p, q, (tp, tq))),
     )
 
 

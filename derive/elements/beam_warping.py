@@ -9,7 +9,6 @@ from flexel.derive.declare.rotation import dot
 from flexel.derive.declare.shape import hermite_energy, hermite_mean
 from flexel.derive.elements.beam import (
     ANGLE,
-    COSINES,
     FIRST,
     FORCES,
     LENGTH,
@@ -20,7 +19,8 @@ from flexel.derive.elements.beam import (
     second_order,
     shear_numbers,
 )
-from flexel.derive.elements.section_outputs import axis, section_forces, shear_angle, turn_cosines
+from flexel.derive.elements.beam_ranges import classic_ranges, shear_angle
+from flexel.derive.elements.section_outputs import axis, section_forces
 from flexel.derive.elements.shared_parameters import (
     EA,
     EIY,
@@ -119,6 +119,7 @@ def _beam_warping() -> Element:
     spin = _cubic_spin(let, wp.v[0], wq.v[0])
     modes, (phi_y, phi_z) = (*deformations(e), *warps), shear_numbers(let)
     energy = kinetic_energy(let, (p, rp, q, rq), us, tp, tq, (phi_y, phi_z), spin)
+    sheared = shear_angle([(modes[2], modes[3], phi_z), (modes[4], modes[5], phi_y)])
     return Element(
         name="beam_warping",
         family="beam",
@@ -130,13 +131,13 @@ def _beam_warping() -> Element:
         deformations=modes,
         kinetic_energy=energy,
         potential=-RHOA.symbol * l0 * dot(GRAVITY.vector, hermite_mean(p.x, l0 * tp[0], q.x, l0 * tq[0])),
-        doc=FIRST + _DOC + FORCES + "\nbimoment_p = -f_wp, bimoment_q = f_wq" + ANGLE + COSINES,
+        doc=FIRST + _DOC + FORCES + "\nbimoment_p = -f_wp, bimoment_q = f_wq" + ANGLE,
         source="Vlasov 1961, Thin-walled elastic beams; Wagner 1929 (twist and axial force); Jonker 2021 (warping "
         "coordinates)",
         outputs=(
             *section_forces(nodes, us, (tp, tq)),
-            shear_angle(modes, {"bend_y": phi_z, "bend_z": phi_y}),
-            turn_cosines((q.x - p.x) / LENGTH, tp, tq),
+            sheared,
+            *classic_ranges((q.x - p.x) / LENGTH, tp, tq, sheared),
             *axis(p, q, (tp, tq)),
         ),
     )

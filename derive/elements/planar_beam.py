@@ -5,7 +5,8 @@ from sympy import Expr, Matrix, Symbol
 from flexel.derive.declare import Deformation, Element, Let, Node, Parameter, PlanarAngle, PlanarPoint
 from flexel.derive.declare.rotation import HALF, dot, norm
 from flexel.derive.declare.shape import hermite_energy, hermite_mean, rotary_energy, shear_number
-from flexel.derive.elements.section_outputs import axis, planar_section_forces, shear_angle, turn_cosines
+from flexel.derive.elements.beam_ranges import classic_ranges, shear_angle
+from flexel.derive.elements.section_outputs import axis, planar_section_forces
 from flexel.derive.elements.shared_parameters import EIZ, GAY, L0, PLANAR_GRAVITY, RHOA
 from flexel.derive.elements.triads import named_directions
 
@@ -25,9 +26,8 @@ PLANAR_FORCES = """
 f = De'sigma: force_p, moment_p = -(ex_p.f_xp, ey_p.f_xp), -f_angle_p; force_q, moment_q the same at q, without minus
 axis: places on the cubic axis; across: ey_p, ey_q"""
 _ANGLE = """
-shear_angle = |phi_y/(1 + phi_y) (bend1 - bend2)|/(2 l0)"""
-_COSINES = """
-turn_cosines = ex_p.el, ex_q.el"""
+shear_angle = |phi_y/(1 + phi_y) (bend1 - bend2)|/(2 l0)
+ranges [degrees, %]: bend = angle(ex_p, el) + angle(ex_q, el), 1 - sin(bend)/bend; shear_angle, sin(shear_angle)^2"""
 
 
 def planar_shear_number(let: Let) -> Symbol:
@@ -77,10 +77,11 @@ def _planar_beam(name: str, second: bool) -> Element:
     centre = hermite_mean(p.x, l0 * ex_p, q.x, l0 * ex_q)
     modes = (
         Deformation("elongation", "m", elongation),
-        Deformation("bend1", "m", b5, kind="bend_z"),
-        Deformation("bend2", "m", b6, kind="bend_z"),
+        Deformation("bend1", "m", b5),
+        Deformation("bend2", "m", b6),
     )
     ends = (ex_p, ey_p), (ex_q, ey_q)
+    sheared = shear_angle([(modes[1], modes[2], shear)])
     return Element(
         name=name,
         family="beam",
@@ -94,14 +95,13 @@ def _planar_beam(name: str, second: bool) -> Element:
         potential=-RHOA.symbol * l0 * dot(PLANAR_GRAVITY.vector, centre),
         doc=_DOC.format(elongation="b1 + (2 b5^2 + b5 b6 + 2 b6^2)/(30 l0)" if second else "b1")
         + PLANAR_FORCES
-        + _ANGLE
-        + _COSINES,
+        + _ANGLE,
         source="SPACAR95 manual (Schwab and Meijaard 2000), PLBEAM, PLBEAMNL; signs of the "
         "spatial beam's b5, b6; Meijaard 1996, Nonlinear Dyn. 9",
         outputs=(
             *planar_section_forces(nodes, ends),
-            shear_angle(modes, {"bend_z": shear}),
-            turn_cosines(el, *ends),
+            sheared,
+            *classic_ranges(el, *ends, sheared),
             *axis(p, q, ends),
         ),
     )

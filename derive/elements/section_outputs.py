@@ -1,4 +1,4 @@
-"""Outputs of beams: forces in their end sections, shear angle, cosines of their turns, the axis that a picture draws.
+"""Outputs of beams: the forces in their end sections, and the axis that a picture draws.
 
 The forces on the nodes are De' sigma, so those in the end sections follow from virtual work, exactly in equilibrium,
 for any deformations (Besseling 1974): the force from the rows of the points, the moment from the rows f of the Euler
@@ -6,11 +6,9 @@ parameters, M = W f/4 with omega = W lambda', the bimoment from the row of the t
 element, including weight and inertia, are lumped at its nodes.
 """
 
-from collections.abc import Sequence
+from sympy import Matrix
 
-from sympy import Expr, Matrix, sqrt
-
-from flexel.derive.declare import Deformation, Node, Output
+from flexel.derive.declare import Node, Output
 from flexel.derive.declare.rotation import body_angular_velocity, components, dot, product
 from flexel.derive.declare.shape import hermite_points
 from flexel.derive.elements.shared_parameters import L0, TP, TQ
@@ -48,33 +46,6 @@ def planar_section_forces(
         found.append(Output(f"force_{end}", "N", force))
         found.append(Output(f"moment_{end}", "N m", sign * angle.f[0]))
     return tuple(found)
-
-
-def shear_angle(modes: tuple[Deformation, ...], shear: dict[str, Expr]) -> Output:
-    """Return the angle of shear of the sections, from the bends of each kind and the shear number of their plane."""
-    square = 0
-    for kind, number in shear.items():
-        first, second = (mode.expr for mode in modes if mode.kind == kind)
-        square += (number / (1 + number) * (first - second) / (2 * L0.symbol)) ** 2
-    return Output("shear_angle", "rad", sqrt(square))
-
-
-def turn_cosines(chord: Matrix, first: Sequence[Matrix], last: Sequence[Matrix]) -> Output:
-    """Return the cosines of the angles between chord and axis at both ends and, in space, of the twist.
-
-    The deformations are sines of these angles, which do not tell an angle from its supplement.
-
-    Parameters
-    ----------
-    chord : Matrix
-        Direction from p to q.
-    first, last : sequence of Matrix
-        Directions of the element at p and at q, that of the axis first.
-    """
-    found = [dot(first[0], chord), dot(last[0], chord)]
-    if len(first) > 2:
-        found.append(sum(dot(a, b) for a, b in zip(first[1:], last[1:], strict=True)) / 2)
-    return Output("turn_cosines", "1", Matrix(found))
 
 
 def axis(p: Node, q: Node, ends: tuple[tuple[Matrix, ...], tuple[Matrix, ...]]) -> tuple[Output, ...]:

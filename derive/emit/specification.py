@@ -1,6 +1,7 @@
 """The specification of a derived element or law: what the runtime reads of it."""
 
 from flexel.derive.declare import TIME, Deformation, Element, Law, Parameter
+from flexel.derive.declare.output import ValidRange
 from flexel.derive.declare.winding import period_terms
 from flexel.derive.declare.words import MATRIX_SIGNS
 from flexel.derive.program.kernel_outputs import Derived
@@ -109,7 +110,15 @@ def _outputs(element: Element, derived: Derived) -> dict[str, KernelSpec]:
         return {}
     kernel = derived.kernels["outputs"]
     arrays = tuple(
-        OutputSpec(array.name, array.shape, array.nonzeros, output.unit, output.draws, output.carrier)
+        OutputSpec(
+            array.name,
+            array.shape,
+            array.nonzeros,
+            output.unit,
+            output.draws,
+            output.carrier,
+            *((output.limit, output.beyond) if isinstance(output, ValidRange) else ()),
+        )
         for array, output in zip(kernel.outputs, element.outputs, strict=True)
     )
     return {"outputs": KernelSpec(kernel.inputs, arrays, kernel.operations)}

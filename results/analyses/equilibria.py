@@ -15,7 +15,7 @@ from flexel.base.shown import Listing
 from flexel.integration.branch import Choices
 from flexel.integration.outcome import Integration
 from flexel.mechanics.amplification import amplification, lost, warn_replaced
-from flexel.mechanics.bent import warn_bent
+from flexel.mechanics.ranges import warn_beyond
 from flexel.mechanics.timed_laws import refuse_steady
 from flexel.model.controller import refuse_sampled
 from flexel.model.snapshot import Snapshot
@@ -130,7 +130,7 @@ def static_path(system: CoreSystem, start: State | None = None, *, t_end: float)
         warnings.warn(message, IncompleteWarning, stacklevel=outside())
     found = Integration.of_equilibria(states, message)
     path = found.states
-    warn_bent(system.structure, path.times, path.deformations, path.coordinates, "static_path")
+    warn_beyond(system.structure, path.times, path.deformations, path.coordinates, "static_path")
     return Motion(system, found)
 
 
@@ -279,5 +279,5 @@ def _at(system: CoreSystem, state: State | None, owner: str) -> State:
 
 def _checked(state: State, analysis: str) -> State:
     """Return the same state, and warn of beams that are bent or twisted too far within one element."""
-    warn_bent(state.structure, [state.t], state.e[None], state.x[None], analysis)
+    warn_beyond(state.structure, [state.t], state.e[None], state.x[None], analysis)
     return state

@@ -19,8 +19,8 @@ from flexel.integration.driver import Run
 from flexel.integration.events import Event, checked
 from flexel.integration.outcome import Integration, from_start, stored_times
 from flexel.integration.ranges import outside
-from flexel.mechanics.bent import bent
 from flexel.mechanics.internal_dynamics import check_stable
+from flexel.mechanics.ranges import compared
 from flexel.model.state import State
 from flexel.system import CoreSystem
 
@@ -85,11 +85,11 @@ def audited_run(system: CoreSystem, run: Run, found: Integration, times: Array) 
     beyond = outside(system, stored)
     if beyond:
         found.warn("; ".join(beyond), RangeWarning, "")
-    bends = bent(system.structure, stored.times, stored.deformations, stored.coordinates)
-    for text in bends.texts:
+    elements = compared(system.structure, stored.times, stored.deformations, stored.coordinates)
+    for text in elements.texts:
         found.warn(text, RangeWarning)
     found = audited(system, run, found)
-    if np.isnan(bends.angle):
+    if np.isnan(elements.share):
         return found
-    told = f"beams bent by at most {bends.angle:.3g} degrees per element"
+    told = f"elements at {100 * elements.share:.3g} % of their ranges at most"
     return replace(found, verdict="; ".join(filter(None, (found.verdict, told))))

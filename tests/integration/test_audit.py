@@ -350,9 +350,9 @@ def test_beams_bent_too_far_are_kept_with_the_motion() -> None:
     assert [f"simulate: {warning}" for warning in motion.warnings] == [
         str(warning.message) for warning in said
     ]
-    angle = re.search(r"beams bent by at most (\S+) degrees per element", motion.verdict)
+    share = re.search(r"elements at (\S+) % of their ranges at most", motion.verdict)
     turned = np.degrees(np.abs(np.arcsin(motion["leaf.bend1"])) + np.abs(np.arcsin(motion["leaf.bend2"])))
-    assert angle and float(angle[1]) == pytest.approx(turned.max(), rel=5e-3)  # three digits
+    assert share and float(share[1]) == pytest.approx(turned.max() / 15 * 100, rel=5e-3)  # three digits
 
 
 def test_a_file_keeps_the_audit_and_a_command_prints_it(tmp_path: Path) -> None:

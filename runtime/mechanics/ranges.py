@@ -1,0 +1,113 @@
+"""Compares elements with the ranges in which they are valid, which their pages declare (`flexel.derive.ValidRange`)."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from flexel.base.arrays import Array
+from flexel.base.callers import outside
+from flexel.base.errors import RangeWarning
+from flexel.derive.spec import OutputSpec
+from flexel.engine.outputs import element_outputs
+from flexel.model.instances import Instance
+from flexel.model.structure import Structure
+
+_part_of_another: ContextVar[bool] = ContextVar("part_of_another", default=False)
+
+
+@dataclass(frozen=True)
+class Compared:
+    """The elements compared with their ranges.
+
+    Attributes
+    ----------
+    share : float
+        The largest measure, relative to its limit; not a number if no element has a range.
+    texts : list of str
+        What to say about the elements that are farthest beyond a limit, one for each kind of range.
+    """
+
+    share: float
+    texts: list[str]
+
+
+@contextmanager
+def warned_together() -> Iterator[None]:
+    """Suppress the warnings of analyses within another one, which warns once for all their states."""
+    token = _part_of_another.set(True)
+    try:
+        yield
+    finally:
+        _part_of_another.reset(token)
+
+
+def warn_beyond(structure: Structure, times: ArrayLike, e: Array, x: Array, analysis: str) -> None:
+    """Warn, at the caller of an analysis, of what `compared` finds; parameters as there, and the analysis by name."""
+    for text in compared(structure, times, e, x).texts:
+        warnings.warn(f"{analysis}: {text}", RangeWarning, stacklevel=outside())
+
+
+def compared(structure: Structure, times: ArrayLike, e: Array, x: Array) -> Compared:
+    """Compare all elements with their ranges; report nothing within another analysis.
+
+    Parameters
+    ----------
+    structure : Structure
+    times : array_like (states,)
+    e : ndarray (states, m)
+        Their deformations.
+    x : ndarray (states, n)
+        Their coordinates.
+    """
+    found: dict[OutputSpec, list[tuple[Sequence[Instance], Array]]] = {}
+    if not _part_of_another.get() and len(e):
+        for elements in _of_one_type(structure):
+            stresses = np.zeros((len(x), structure.m + structure.k))  # do not matter
+            outputs = element_outputs(structure, elements, x, e, stresses)
+            for output in elements[0].spec.outputs:
+                if output.limit:
+                    found.setdefault(_kind(output), []).append((elements, outputs[output.name]))
+    shares, texts = [np.nan], []
+    for output, parts in found.items():
+        names = [element.name for elements, _ in parts for element in elements]
+        values = np.concatenate([measured for _, measured in parts], axis=1)
+        shares.append(float(values[..., 0].max()) / output.limit)
+        if shares[-1] > 1:
+            texts.append(_text(output, names, values, np.asarray(times)))
+    return Compared(float(np.nanmax(shares)) if len(shares) > 1 else np.nan, texts)
+
+
+def _of_one_type(structure: Structure) -> list[list[Instance]]:
+    """Return the elements that have ranges, by type."""
+    types: dict[int, list[Instance]] = {}
+    for element in structure.instances:
+        if any(output.limit for output in element.spec.outputs):
+            types.setdefault(id(element.spec), []).append(element)
+    return list(types.values())
+
+
+def _kind(output: OutputSpec) -> OutputSpec:
+    """Return what ranges of several types of elements have in common."""
+    return OutputSpec(output.name, (), (), output.unit, limit=output.limit, beyond=output.beyond)
+
+
+def _text(output: OutputSpec, names: Sequence[str], values: Array, times: Array) -> str:
+    """Say which element is farthest beyond a limit, from measures and errors (states, elements, 2)."""
+    measures = values[..., 0]
+    when, which = np.unravel_index(int(np.argmax(measures)), measures.shape)
+    value, error = (float(number) for number in values[when, which])
+    unit = output.unit if output.unit == "°" else f" {output.unit}"
+    where = (
+        f" at t = {times[when]:g} s" if times.size > 1 else ""
+    )  # of one state none: a loop repeats no warning
+    far = int((measures.max(axis=0) > output.limit).sum())
+    where += f" ({far - 1} more by more than {output.limit:g}{unit})" if far > 1 else ""
+    count = int(np.ceil(value / output.limit))
+    return f"'{names[which]}' {output.beyond.format(value=value, error=error, where=where, count=count)}"
