@@ -78,8 +78,9 @@ class ValidRange(Output):
         Largest measure in the range.
     beyond : str
         What the warning says of an element, after its name, with fields in braces: ``{value}``, ``{error}`` (the two
-        values), ``{where}`` (the instant, and how many others are beyond the limit) and ``{count}`` (the ratio of the
-        measure to the limit, rounded up: a sufficient number of elements if the measure is shared among them).
+        values), ``{digits}`` (the error in two digits), ``{where}`` (the instant, and how many others are beyond the
+        limit) and ``{count}`` (the ratio of the measure to the limit, rounded up: a sufficient number of elements if
+        the measure is shared among them).
     """
 
     limit: float = 0.0
@@ -95,10 +96,10 @@ class ValidRange(Output):
                 f"{owner}: limit {self.limit!r} is not positive; give the largest measure that is valid"
             )
         try:
-            self.beyond.format(value=1.0, error=1.0, where="", count=1)
+            self.beyond.format(value=1.0, error=1.0, digits="1", where="", count=1)
         except (KeyError, IndexError, ValueError) as error:
             raise ElementError(
-                f"{owner}: beyond {self.beyond!r} has other fields than value, error, where and count: {error}"
+                f"{owner}: beyond {self.beyond!r} has other fields than value, error, digits, where and count: {error}"
             ) from None
         if "{where}" not in self.beyond:
             raise ElementError(f"{owner}: beyond {self.beyond!r} does not say where; put {{where}} in it")

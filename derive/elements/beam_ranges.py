@@ -55,7 +55,7 @@ def classic_ranges(
         found.append(_of_moments("twist", "is twisted", twist, _missing(2 * twist)))
     (gamma,) = shear.exprs
     beyond = (
-        "is sheared by {value:.1f}°{where}: its moments are about {error:.2g} % too small, whatever the number of "
+        "is sheared by {value:.1f}°{where}: its moments are about {digits} % too small, whatever the number of "
         "elements; use rotations='logarithmic'"
     )
     values = Matrix([DEGREES * gamma, 100 * sin(gamma) ** 2])
@@ -77,7 +77,7 @@ def logarithmic_range(modes: Sequence[Deformation]) -> ValidRange:
 
 def _of_moments(name: str, what: str, angle: Expr, missing: Expr) -> ValidRange:
     """Return the range of an angle [rad] by which moments are too small."""
-    beyond = f"{what} by {{value:.0f}}°{{where}}: its moments are about {{error:.2g}} % too small; {_REMEDY}"
+    beyond = f"{what} by {{value:.0f}}°{{where}}: its moments are about {{digits}} % too small; {_REMEDY}"
     values = Matrix([DEGREES * angle, 100 * missing])
     return ValidRange(f"{name}_range", "°", values, limit=BENT, beyond=beyond)
 

@@ -19,6 +19,7 @@ from flexel.engine.outputs import element_outputs
 from flexel.model.instances import Instance
 from flexel.model.structure import Structure
 
+ROUNDING = 1e-9  # of a measure relative to its limit
 _part_of_another: ContextVar[bool] = ContextVar("part_of_another", default=False)
 
 
@@ -103,11 +104,13 @@ def _text(output: OutputSpec, names: Sequence[str], values: Array, times: Array)
     measures = values[..., 0]
     when, which = np.unravel_index(int(np.argmax(measures)), measures.shape)
     value, error = (float(number) for number in values[when, which])
-    unit = output.unit if output.unit == "°" else f" {output.unit}"
+    unit = {"°": "°", "1": ""}.get(output.unit, f" {output.unit}")
     where = (
         f" at t = {times[when]:g} s" if times.size > 1 else ""
     )  # of one state none: a loop repeats no warning
     far = int((measures.max(axis=0) > output.limit).sum())
     where += f" ({far - 1} more by more than {output.limit:g}{unit})" if far > 1 else ""
-    count = int(np.ceil(value / output.limit))
-    return f"'{names[which]}' {output.beyond.format(value=value, error=error, where=where, count=count)}"
+    count = int(np.ceil(value / output.limit - ROUNDING))
+    digits = f"{float(f'{error:.2g}'):g}"
+    told = output.beyond.format(value=value, error=error, digits=digits, where=where, count=count)
+    return f"'{names[which]}' {told}"

@@ -351,7 +351,8 @@ def test_beams_bent_too_far_are_kept_with_the_motion() -> None:
         str(warning.message) for warning in said
     ]
     share = re.search(r"elements at (\S+) % of their ranges at most", motion.verdict)
-    turned = np.degrees(np.abs(np.arcsin(motion["leaf.bend1"])) + np.abs(np.arcsin(motion["leaf.bend2"])))
+    chord = np.unwrap(np.arctan2(motion["P.y"], motion["P.x"]))
+    turned = np.degrees(np.abs(chord) + np.abs(motion["B.angle"] - chord))
     assert share and float(share[1]) == pytest.approx(turned.max() / 15 * 100, rel=5e-3)  # three digits
 
 

@@ -26,7 +26,7 @@ def column(elements: int, factor: float) -> fx.System:
 def test_an_equilibrium_with_a_folded_element_is_named(elements: int, factor: float) -> None:
     """The deformations of an element that is turned by half a turn vanish, and its equilibrium looks stable."""
     with pytest.warns(
-        fx.RangeWarning, match=r"'b\d' is folded back, by 180°.*use 12 elements in place of"
+        fx.RangeWarning, match=r"'b\d' is bent by 180°.* 100 % too small; use 12 elements in place of"
     ) as caught:
         rest = column(elements, factor).equilibrium(stable=True)
     assert len(caught) == 1
