@@ -22,7 +22,7 @@ import numpy as np
 from flexel.base.arguments import unknown
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
-from flexel.base.shown import prints
+from flexel.base.shown import PrintedTable, prints
 from flexel.derive.spec import FORMULA_NUMBERS
 from flexel.model.instances import Instance, LawInstance, law_labels
 from flexel.model.origin import Origin, split_entry
@@ -35,6 +35,7 @@ ALIASES = {
 }  # of the matrices of linear laws, for use in names
 
 
+NUMBERS = 6  # of a parameter in a table
 PROBE = 1e-3  # relative change of a number that shows what follows from it
 # Of numbers that follow from the parameters of an elastic law.
 FORMER_NAMES = ("stiffness", "preload", "phi_y", "phi_z", "polar")
@@ -140,9 +141,26 @@ class Parameters(Mapping[str, Array]):
     def __getitem__(self, name: str) -> Array:
         return self.value(self.find(name, "parameters"))
 
+    def _table(self) -> PrintedTable:
+        """Return names, values and units."""
+        rows = [
+            (place.name, _written(self.value(place)), self.unit(place)) for place in map(self._place, self)
+        ]
+        return PrintedTable("" if rows else "no parameters", ("parameter", "value", "unit"), rows)
+
+    def _place(self, name: str) -> ParameterPlace:
+        """Return the place of a known parameter, without asking what else follows from it."""
+        targets = tuple(self._targets.get(name, ()))
+        size = max((target.entries.stop for target in targets), default=0)
+        return ParameterPlace(name, targets, size, name if name in self._declared else None)
+
     @prints
     def __repr__(self) -> str:
-        return f"Parameters({len(self)}: {', '.join(list(self)[:6])}, …)"
+        return self._table().text
+
+    def _repr_html_(self) -> str:
+        """Return the table for a notebook."""
+        return self._table().html
 
     def value(self, place: ParameterPlace) -> Array:
         """Return the numbers (size,) of a parameter."""
@@ -261,6 +279,14 @@ class Parameters(Mapping[str, Array]):
                 row[target.numbers] = value[target.entries]
                 changed[key] = owner
         return {key: _with(owner, rows[key]) for key, owner in changed.items()}
+
+
+def _written(value: Array) -> str:
+    """Write the numbers of a parameter, of many the first ones."""
+    numbers = [f"{number:.6g}" for number in value[:NUMBERS]]
+    if value.size == 1:
+        return numbers[0]
+    return f"[{', '.join(numbers)}{', …' if value.size > NUMBERS else ''}]"
 
 
 def _entry(

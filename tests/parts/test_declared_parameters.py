@@ -266,3 +266,16 @@ def test_loads_are_called_by_their_targets() -> None:
     still = s.initial.force("bar.elongation")
     other = s.with_parameters({"load A.x#2.value": still - 5.0})
     assert other.initial.acceleration("A.x") == pytest.approx(0.0, abs=1e-13)
+
+
+def test_parameters_print_as_a_table_of_names_values_and_units() -> None:
+    m = fx.Model()
+    m.point("O", (0, 0), fixed=True)
+    m.point("A", (0.5, 0))
+    m.truss("bar", "O", "A", stiffness=200.0)
+    m.point_mass("mass", "A", 2.5)
+    lines = [line.split() for line in repr(m.build().parameters).splitlines()]
+    assert lines[0] == ["parameter", "value", "unit"]
+    assert ["bar.stiffness", "200", "N/m"] in lines and ["mass.mass", "2.5", "kg"] in lines
+    assert ["A.position", "[0.5,", "0]", "m"] in lines
+    assert "<td>mass.mass</td><td>2.5</td><td>kg</td>" in m.build().parameters._repr_html_()
