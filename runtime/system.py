@@ -93,6 +93,11 @@ class CoreSystem:
             return self._complete_start()
         return self._kept_start
 
+    def forget_start(self) -> None:
+        """Compute the initial states anew when they are next needed: after a change of parameters or coordinates."""
+        self.__dict__.pop("_kept_start", None)
+        self.__dict__.pop("at_rest", None)
+
     @cached_property
     def _kept_start(self) -> State:
         return self._complete_start()
@@ -319,8 +324,7 @@ class CoreSystem:
         rows = [named_dofs(self.structure, names, "use_coordinates") for names in (dynamic, kinematic)]
         J = self.evaluation.position(self._start.x)[1]
         self.use(replace(choose_dofs(self.kinematics, J, *rows), named=True))
-        self.__dict__.pop("initial", None)
-        self.__dict__.pop("at_rest", None)
+        self.forget_start()
 
     def __getstate__(self) -> dict[str, Any]:
         """Its model, the present coordinates and the last position; tables and caches are made again."""

@@ -314,13 +314,7 @@ class Runner(Generic[T]):
     def _set(self, system: Any, variant: Variant, i: int) -> None:
         """Turn a system into variant number i."""
         variant.set(self._values.of(i))
-        _forget(system)
-
-
-def _forget(system: CoreSystem) -> None:
-    """Discard what a system keeps of its start, which depends on the parameters."""
-    for kept in ("initial", "at_rest"):
-        system.__dict__.pop(kept, None)
+        system.forget_start()
 
 
 def _threads(given: int | None) -> int:
