@@ -44,7 +44,7 @@ def varied(
     """Copy a system so that its parameters can be changed without changing the system's."""
     variant = Variant(system.evaluation, places, structure)
     found = copy(system)
-    _forget(found)
+    found.forget_start()
     found._prepare(variant.evaluation, system.loads, system.roles)
     return found, variant
 

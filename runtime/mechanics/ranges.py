@@ -102,7 +102,7 @@ def _kind(output: OutputSpec) -> OutputSpec:
 def _text(output: OutputSpec, names: Sequence[str], values: Array, times: Array) -> str:
     """Say which element is farthest beyond a limit, from measures and errors (states, elements, 2)."""
     measures = values[..., 0]
-    when, which = np.unravel_index(int(np.argmax(measures)), measures.shape)
+    when, which = (int(i) for i in np.unravel_index(int(np.argmax(measures)), measures.shape))
     value, error = (float(number) for number in values[when, which])
     unit = {"°": "°", "1": ""}.get(output.unit, f" {output.unit}")
     where = (
