@@ -89,9 +89,12 @@ class CoreSystem:
         DynamicsError
             If a degree of freedom has no inertia; `at_rest` and `unaccelerated` need none.
         """
-        if not self.loads.constant or self._callbacks:  # what functions return may have changed
-            return self._complete_start()
-        return self._kept_start
+        return self._complete_start() if self._changes else self._kept_start
+
+    @cached_property
+    def _changes(self) -> bool:
+        """Whether forces come from functions, whose results may have changed since the last call."""
+        return not self.loads.constant or bool(self._callbacks)
 
     def forget_start(self) -> None:
         """Compute the initial states anew when they are next needed: after a change of parameters or coordinates."""
@@ -242,7 +245,7 @@ class CoreSystem:
     def linearize(self, state: State | None = None) -> LinearizedSystem:
         """Linearize analytically about a state (the initial one by default); see `System.linearize`."""
         state = self.initial if state is None else own_state(self.structure, state, "linearize")
-        warn_beyond(self.structure, [state.t], state.e[None], state.x[None], "linearize")
+        warn_beyond(self.evaluation, [state.t], state.e[None], state.x[None], "linearize")
         return self._linearization(state)
 
     def _linearization(self, state: State) -> LinearizedSystem:

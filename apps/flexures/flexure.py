@@ -93,7 +93,7 @@ def flexure(
         variables = measuring.variables(states)
     steps = Integration.of_equilibria(states, message)
     path = steps.states
-    warn_beyond(system.structure, path.times, path.deformations, path.coordinates, "flexure")
+    warn_beyond(system.evaluation, path.times, path.deformations, path.coordinates, "flexure")
     labels = measuring.labels(variables)
     found = Flexure(Motion(system, steps), variables, labels, released, redundant, measuring.notes)
     _warn_stresses(found, len(tables.ends))

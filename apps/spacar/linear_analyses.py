@@ -109,7 +109,7 @@ class LinearModels(SpacarFile):
             If these do not determine the motion at the state.
         """
         state = system.initial if state is None else own_state(system.structure, state, self.path.name)
-        warn_beyond(system.structure, [state.t], state.e[None], state.x[None], "linearize")
+        warn_beyond(system.evaluation, [state.t], state.e[None], state.x[None], "linearize")
         check_smooth(system.structure.controllers, state)
         return linearize(system.kinematics, state)
 

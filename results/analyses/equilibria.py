@@ -130,7 +130,7 @@ def static_path(system: CoreSystem, start: State | None = None, *, t_end: float)
         warnings.warn(message, IncompleteWarning, stacklevel=outside())
     found = Integration.of_equilibria(states, message)
     path = found.states
-    warn_beyond(system.structure, path.times, path.deformations, path.coordinates, "static_path")
+    warn_beyond(system.evaluation, path.times, path.deformations, path.coordinates, "static_path")
     return Motion(system, found)
 
 
@@ -279,5 +279,5 @@ def _at(system: CoreSystem, state: State | None, owner: str) -> State:
 
 def _checked(state: State, analysis: str) -> State:
     """Return the same state, and warn of beams that are bent or twisted too far within one element."""
-    warn_beyond(state.structure, [state.t], state.e[None], state.x[None], analysis)
+    warn_beyond(state.evaluation, [state.t], state.e[None], state.x[None], analysis)
     return state

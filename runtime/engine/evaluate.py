@@ -16,7 +16,7 @@ from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.base.nested import Levels
 from flexel.base.once import once
-from flexel.engine.outputs import element_outputs
+from flexel.engine.outputs import OutputTable, element_outputs, ranged
 from flexel.engine.patterns import Pattern
 from flexel.engine.tables import Tables
 from flexel.engine.workspace import Workspace
@@ -46,6 +46,11 @@ class Evaluation:
     def tables(self) -> Tables:
         """The tables, made when they are first needed."""
         return Tables(self.structure)
+
+    @once
+    def ranged(self) -> list[OutputTable]:
+        """The elements whose pages declare a range in which they are valid, by type."""
+        return ranged(self.structure)
 
     @once
     def inertia(self) -> Array:

@@ -16,52 +16,80 @@ from flexel.model.structure import Structure
 AT_ONCE = 4096  # elements in a call, so that the arrays of a long motion stay small
 
 
-def element_outputs(
-    structure: Structure, elements: Sequence[Instance], x: Array, e: Array, stresses: Array
-) -> dict[str, Array]:
-    """Return the outputs of some elements of one type by name, (states, elements, ...) each.
+class OutputTable:
+    """The outputs of some elements of one type, which are evaluated together.
 
     Parameters
     ----------
     structure : Structure
     elements : sequence of Instance
         At least one; all of the same type.
-    x : ndarray (states, n)
-        Coordinates of the model.
-    e : ndarray (states, m)
-        Deformations of the model.
-    stresses : ndarray (states, m + k)
-        Generalized stresses of the model.
     """
-    spec, states = elements[0].spec, len(x)
-    if not spec.outputs:
-        return {}
-    at = np.array(
-        [np.concatenate([structure.places(node) for node in element.nodes]) for element in elements]
-    )
-    modes = [
-        [structure.index[name] for name in (*element.deformations, *element.slips)] for element in elements
-    ]
-    of = np.array(modes, dtype=np.intp).reshape(len(elements), -1)
-    m, p = len(spec.deformations), np.array([element.p for element in elements])
-    step = max(AT_ONCE // len(elements), 1)
-    parts = []
-    for first in range(0, states, step):
-        some = slice(first, first + step)
-        count = len(x[some]) * len(elements)
-        found = {
-            "x": x[some][:, at],
-            "e": e[some][:, of[:, :m]],
-            "sigma": stresses[some][:, of[:, :m]],
-            "tau": stresses[some][:, of[:, m:]],
-            "p": np.broadcast_to(p, (len(x[some]), *p.shape)),
+
+    def __init__(self, structure: Structure, elements: Sequence[Instance]) -> None:
+        self.elements, self.spec = elements, elements[0].spec
+        self.names = [element.name for element in elements]
+        self.nothing = np.zeros(structure.m + structure.k)  # stresses, where these do not matter
+        self._at = np.array(
+            [np.concatenate([structure.places(node) for node in element.nodes]) for element in elements]
+        )
+        modes = [
+            [structure.index[name] for name in (*element.deformations, *element.slips)]
+            for element in elements
+        ]
+        self._of = np.array(modes, dtype=np.intp).reshape(len(elements), -1)
+        self._p = np.array([element.p for element in elements])
+
+    def evaluate(self, x: Array, e: Array, stresses: Array) -> dict[str, Array]:
+        """Return the outputs by name, (states, elements, ...) each.
+
+        Parameters
+        ----------
+        x : ndarray (states, n)
+            Coordinates of the model.
+        e : ndarray (states, m)
+            Deformations of the model.
+        stresses : ndarray (states, m + k)
+            Generalized stresses of the model.
+        """
+        spec, count, m = self.spec, len(self.elements), len(self.spec.deformations)
+        if not spec.outputs:
+            return {}
+        step = max(AT_ONCE // count, 1)
+        parts = []
+        for first in range(0, len(x), step):
+            some = slice(first, first + step)
+            states = len(x[some])
+            found = {
+                "x": x[some][:, self._at],
+                "e": e[some][:, self._of[:, :m]],
+                "sigma": stresses[some][:, self._of[:, :m]],
+                "tau": stresses[some][:, self._of[:, m:]],
+                "p": np.broadcast_to(self._p, (states, *self._p.shape)),
+            }
+            rows = [found[name] for name in spec.kernels["outputs"].inputs]
+            inputs = [values.reshape(states * count, values.shape[-1]) for values in rows]
+            parts.append(_called(self.elements[0], inputs))
+        return {
+            output.name: np.concatenate([part[i] for part in parts]).reshape(len(x), count, *output.shape)
+            for i, output in enumerate(spec.outputs)
         }
-        inputs = [found[name] for name in spec.kernels["outputs"].inputs]
-        parts.append(_called(elements[0], [rows.reshape(count, rows.shape[-1]) for rows in inputs]))
-    return {
-        output.name: np.concatenate([part[i] for part in parts]).reshape(states, len(elements), *output.shape)
-        for i, output in enumerate(spec.outputs)
-    }
+
+
+def element_outputs(
+    structure: Structure, elements: Sequence[Instance], x: Array, e: Array, stresses: Array
+) -> dict[str, Array]:
+    """Return the outputs of some elements of one type by name; parameters as of `OutputTable` and its `evaluate`."""
+    return OutputTable(structure, elements).evaluate(x, e, stresses)
+
+
+def ranged(structure: Structure) -> list[OutputTable]:
+    """Return the elements whose pages declare a range, by type."""
+    types: dict[int, list[Instance]] = {}
+    for element in structure.instances:
+        if any(output.limit for output in element.spec.outputs):
+            types.setdefault(id(element.spec), []).append(element)
+    return [OutputTable(structure, elements) for elements in types.values()]
 
 
 def _called(element: Instance, inputs: Sequence[Array]) -> list[Array]:

@@ -85,7 +85,7 @@ def audited_run(system: CoreSystem, run: Run, found: Integration, times: Array) 
     beyond = outside(system, stored)
     if beyond:
         found.warn("; ".join(beyond), RangeWarning, "")
-    elements = compared(system.structure, stored.times, stored.deformations, stored.coordinates)
+    elements = compared(system.evaluation, stored.times, stored.deformations, stored.coordinates)
     for text in elements.texts:
         found.warn(text, RangeWarning)
     found = audited(system, run, found)

@@ -15,9 +15,7 @@ from flexel.base.arrays import Array
 from flexel.base.callers import outside
 from flexel.base.errors import RangeWarning
 from flexel.derive.spec import OutputSpec
-from flexel.engine.outputs import element_outputs
-from flexel.model.instances import Instance
-from flexel.model.structure import Structure
+from flexel.engine.evaluate import Evaluation
 
 ROUNDING = 1e-9  # of a measure relative to its limit
 _part_of_another: ContextVar[bool] = ContextVar("part_of_another", default=False)
@@ -49,49 +47,40 @@ def warned_together() -> Iterator[None]:
         _part_of_another.reset(token)
 
 
-def warn_beyond(structure: Structure, times: ArrayLike, e: Array, x: Array, analysis: str) -> None:
+def warn_beyond(evaluation: Evaluation, times: ArrayLike, e: Array, x: Array, analysis: str) -> None:
     """Warn, at the caller of an analysis, of what `compared` finds; parameters as there, and the analysis by name."""
-    for text in compared(structure, times, e, x).texts:
+    for text in compared(evaluation, times, e, x).texts if evaluation.ranged else ():
         warnings.warn(f"{analysis}: {text}", RangeWarning, stacklevel=outside())
 
 
-def compared(structure: Structure, times: ArrayLike, e: Array, x: Array) -> Compared:
+def compared(evaluation: Evaluation, times: ArrayLike, e: Array, x: Array) -> Compared:
     """Compare all elements with their ranges; report nothing within another analysis.
 
     Parameters
     ----------
-    structure : Structure
+    evaluation : Evaluation
     times : array_like (states,)
     e : ndarray (states, m)
-        Their deformations.
+        Deformations.
     x : ndarray (states, n)
-        Their coordinates.
+        Coordinates.
     """
-    found: dict[OutputSpec, list[tuple[Sequence[Instance], Array]]] = {}
+    found: dict[OutputSpec, list[tuple[list[str], Array]]] = {}
     if not _part_of_another.get() and len(e):
-        for elements in _of_one_type(structure):
-            stresses = np.zeros((len(x), structure.m + structure.k))  # do not matter
-            outputs = element_outputs(structure, elements, x, e, stresses)
-            for output in elements[0].spec.outputs:
+        for table in evaluation.ranged:
+            outputs = table.evaluate(x, e, np.broadcast_to(table.nothing, (len(x), table.nothing.size)))
+            for output in table.spec.outputs:
                 if output.limit:
-                    found.setdefault(_kind(output), []).append((elements, outputs[output.name]))
-    shares, texts = [np.nan], []
+                    found.setdefault(_kind(output), []).append((table.names, outputs[output.name]))
+    shares, texts = [], []
     for output, parts in found.items():
-        names = [element.name for elements, _ in parts for element in elements]
         values = np.concatenate([measured for _, measured in parts], axis=1)
         shares.append(float(values[..., 0].max()) / output.limit)
         if shares[-1] > 1:
-            texts.append(_text(output, names, values, np.asarray(times)))
-    return Compared(float(np.nanmax(shares)) if len(shares) > 1 else np.nan, texts)
-
-
-def _of_one_type(structure: Structure) -> list[list[Instance]]:
-    """Return the elements that have ranges, by type."""
-    types: dict[int, list[Instance]] = {}
-    for element in structure.instances:
-        if any(output.limit for output in element.spec.outputs):
-            types.setdefault(id(element.spec), []).append(element)
-    return list(types.values())
+            texts.append(
+                _text(output, [name for names, _ in parts for name in names], values, np.asarray(times))
+            )
+    return Compared(max(shares, default=np.nan), texts)
 
 
 def _kind(output: OutputSpec) -> OutputSpec:
