@@ -94,7 +94,7 @@ def run_spacar(
     if found.states:
         times = [state.t for state in found.states]
         e, x = (np.array([getattr(state, array) for state in found.states]) for array in "ex")
-        warn_beyond(found.states[0].evaluation, times, e, x, file.path.name)
+        warn_beyond(file.system.evaluation, times, e, x, file.path.name)
     motion = found.motion
     head = [
         f"{file.path.name}: SPACAR, {file.dialect} dialect, mode {mode}",

@@ -96,7 +96,7 @@ def equilibrium(
             UnstableWarning,
             stacklevel=outside(),
         )
-    return _checked(_well_chosen(system, found.state), "equilibrium")
+    return _checked(system, _well_chosen(system, found.state), "equilibrium")
 
 
 @in_one_thread
@@ -161,7 +161,9 @@ def buckling(
     UnsteadyWarning
         If the state is not in equilibrium.
     """
-    return stability.buckling(system, _checked(_at(system, state, "buckling"), "buckling"), increment, count)
+    return stability.buckling(
+        system, _checked(system, _at(system, state, "buckling"), "buckling"), increment, count
+    )
 
 
 @in_one_thread
@@ -194,7 +196,7 @@ def vibrations(
         rest = load_path.equilibrium(system, None, system.at_rest).state
     else:
         rest = own_state(system.structure, state, "vibrations")
-    return stability.vibrations(system, _checked(rest, "vibrations"), count)
+    return stability.vibrations(system, _checked(system, rest, "vibrations"), count)
 
 
 @in_one_thread
@@ -227,7 +229,7 @@ def compliance(
     DynamicsError
         If a motion is unresisted; names it.
     """
-    rest = _checked(_at(system, state, "compliance"), "compliance")
+    rest = _checked(system, _at(system, state, "compliance"), "compliance")
     return compliance_of(system, point, frame, rest, offset=offset, hold=hold)
 
 
@@ -269,7 +271,7 @@ def steady(
     )
     refuse_steady(system.structure)
     begin = system.initial if start is None else own_state(system.structure, start, "steady")
-    return _checked(steady_motion(system, begin, rates, unknown, unknown_rates), "steady")
+    return _checked(system, steady_motion(system, begin, rates, unknown, unknown_rates), "steady")
 
 
 def _at(system: CoreSystem, state: State | None, owner: str) -> State:
@@ -277,7 +279,7 @@ def _at(system: CoreSystem, state: State | None, owner: str) -> State:
     return system.at_rest if state is None else own_state(system.structure, state, owner)
 
 
-def _checked(state: State, analysis: str) -> State:
+def _checked(system: CoreSystem, state: State, analysis: str) -> State:
     """Return the same state, and warn of beams that are bent or twisted too far within one element."""
-    warn_beyond(state.evaluation, [state.t], state.e[None], state.x[None], analysis)
+    warn_beyond(system.evaluation, [state.t], state.e[None], state.x[None], analysis)
     return state
