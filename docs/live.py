@@ -7,8 +7,20 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from flexel import View
-from flexel.examples import contact, slider_crank, vehicle_runs
+import numpy as np
+
+from flexel import Box, Cylinder, View
+from flexel.apps.view.page import view_modes
+from flexel.examples import (
+    cardan,
+    contact,
+    cylinder,
+    flexures,
+    hoist,
+    hoist_model,
+    slider_crank,
+    vehicle_runs,
+)
 from flexel.examples.bicycle import bicycle, kick
 from flexel.examples.vehicle_figures import bodywork
 
@@ -43,6 +55,10 @@ def write(folder: Path, out: Path) -> None:
     )
     for name, (motion, options) in _systems().items():
         motion.view(out / f"{name}.html", frames=FRAMES, progress=False, **options)
+    guide = flexures.guide().build()
+    at_rest = guide.equilibrium()
+    title = "Modes of the parallel guide at rest"
+    view_modes(at_rest, out / "guide-modes.html", guide.vibrations(at_rest, count=6), title=title)
 
 
 def _systems() -> dict[str, tuple[Any, dict[str, Any]]]:
@@ -62,7 +78,34 @@ def _systems() -> dict[str, tuple[Any, dict[str, Any]]]:
             {"title": "The vehicle at 20 m/s, sine steering", "view": View(sketches=bodywork())},
         ),
         "drum": (contact.on_drum(5.0), {"title": "A ball on a turning drum"}),
+        "cardan": (
+            cardan.driven(cardan.B30).simulate(2 * np.pi, progress=False),
+            {"title": "A Cardan joint with its shafts at 30°", "view": _forks(cardan.B30)},
+        ),
+        "cylinder": (
+            cylinder.driven().simulate(3.0, progress=False),
+            {"title": "A crane on a hydraulic cylinder"},
+        ),
+        "hoist": (
+            hoist.lift(hoist_model.hoist(), 2.0, rate=60),
+            {"title": "The hoist: a sudden load, and the start of the lift"},
+        ),
     }
+
+
+def _forks(bend: float) -> View:
+    """Shafts with forks, and the cross between them, for the frames of a Cardan joint, which have no shape."""
+    x, y, z = np.eye(3)
+    out = np.array([np.cos(bend), np.sin(bend), 0.0])
+    solids: list[Cylinder | Box] = [Cylinder("centre", "cross", -0.24 * a, 0.24 * a, 0.03) for a in (y, z)]
+    for name, along, pin in (("driving", -x, y), ("driven", out, z)):
+        axes = np.array([along, pin, np.cross(along, pin)])
+        solids.append(Cylinder("centre", name, 0.3 * along, 1.1 * along, 0.06))
+        solids.append(Box("centre", name, 0.3 * along, (0.06, 0.46, 0.12), axes))
+        solids += [
+            Box("centre", name, 0.14 * along + side * 0.2 * pin, (0.34, 0.06, 0.12), axes) for side in (-1, 1)
+        ]
+    return View(sketches=solids)
 
 
 def _of_page(
