@@ -156,21 +156,22 @@ def _lower_compiled(to: Lowering, given: LawPart, law: Any) -> None:
         raise ModelError(f"{owner}: a compiled law already has an energy; leave energy out")
     if given.ranges is not None:
         raise ModelError(f"{owner}: a compiled law is already verified; give ranges to fx.compile_law")
+    places, label = _placed(to, on, owner, given.name)
     to.law(
         f"{given.owner} on {_listed(on)}",
         law.spec,
-        [displacement(to, name, owner) for name in on],
+        places,
         given.parameters or {},
         code=law.code,
         initial=given.initial,
-        label=given.name or _label(to, on),
+        label=label,
     )
 
 
-def _label(to: Lowering, on: Sequence[str]) -> str | None:
-    """Return the name of a law on coordinates, which are displacements of its own; None for the default."""
-    coordinates = [name for name in on if name.partition(".")[0] in to.nodes]
-    return " ".join(on) if coordinates else None
+def _placed(to: Lowering, on: Sequence[str], owner: str, label: str | None) -> tuple[list[str], str | None]:
+    """Return the deformations that some names mean, and the label of a law on them: coordinates give theirs."""
+    places = [displacement(to, name, owner) for name in on]
+    return places, label or (None if places == list(on) else " ".join(on))
 
 
 def _lower_formula(to: Lowering, given: LawPart) -> None:
@@ -216,10 +217,9 @@ def add_formula(
             f"{owner}: a formula acts on one deformation, but {len(on)} are named; compile a law of more with "
             "fx.compile_law"
         )
-    places = [displacement(to, on[0], owner)]
+    places, label = _placed(to, on, owner, label)
     to.quantity_kind(places[0], owner)  # before a formula is compiled for it
     found = formula_law(owner, stress, energy, ranges)
-    label = label or _label(to, on)
     to.law(
         owner, found.law.spec, places, found.parameters, code=found.law.code, label=label, knots=found.knots
     )

@@ -100,12 +100,10 @@ void flexel_account_begin(flexel_account *o, const flexel_work *s, const flexel_
         return;
     flexel_account_stage(o, s, c, o->start);
     energies(o, s);
-    if (!o->parted)
-        add(o, 0, 0, 0, 0);
+    if (o->parted)
+        o->begun = o->energy; /* nothing is missing */
     o->parted = 0;
-    o->begun = o->energy;
-    o->fastest = fmax(o->fastest, o->kinetic);
-    o->largest = fmax(o->largest, o->stored);
+    add(o, 0, 0, 0, 0);
 }
 
 void flexel_account_accept(flexel_account *o, double h)

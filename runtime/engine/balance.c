@@ -75,9 +75,8 @@ void flexel_balanced(flexel_balance *b)
     flexel_work *w = b->work;
     flexel_position(w);
     flexel_rates(w);
-    w->at_rest = b->at_rest;
     if (b->implicit && w->nz)
-        flexel_implicit_states(w, b->known, b->share);
+        flexel_implicit_states(w, b->known, b->share, b->at_rest);
     else
         flexel_laws(w);
     flexel_inertia(w);
@@ -109,8 +108,7 @@ int flexel_balance_tangent(flexel_balance *b, double scaling, double rate, doubl
 {
     flexel_work *w = b->work;
     b->sized = 0;
-    w->at_rest = b->at_rest;
-    flexel_law_tangents(w, share);
+    flexel_law_tangents(w, share, b->at_rest);
     /* stresses that are not finite say that a trial step was too long: the iteration rejects it */
     const int failed = !(all_finite(w->nS, w->S) && all_finite(w->nS, w->S_rate)) && all_finite(w->m + w->k, w->law_stress);
     const int phi = any(w->n, w->v) && (b->nforce > b->nh || any(w->nS, w->S_rate));

@@ -25,10 +25,11 @@ void flexel_rate_derivatives(flexel_work *s);
 void flexel_acceleration_derivatives(flexel_work *s);
 /* Stresses of laws, rates of internal states and energies, at e, w, z and t. */
 void flexel_laws(flexel_work *s);
-/* Internal states of an implicit step, z = known + share dz/dt, and the outputs of the laws there: Newton's method from z. */
-void flexel_implicit_states(flexel_work *s, const double *known, double share);
-/* Derivatives of stresses by pair. Internal states follow as in an implicit step with that share; zero holds them. */
-void flexel_law_tangents(flexel_work *s, double share);
+/* Internal states of an implicit step, z = known + share dz/dt, and the outputs of the laws there: Newton's method from z.
+ * At rest only those that last follow; the others are held. */
+void flexel_implicit_states(flexel_work *s, const double *known, double share, int at_rest);
+/* Derivatives of stresses by pair. Internal states follow as in such a step; a share of zero holds them. */
+void flexel_law_tangents(flexel_work *s, double share, int at_rest);
 /* T = by_x dr/dx + by_v dr/dv + by_a M over the free coordinates, r = M a + h - f + De' sigma + V' tau at `stress`.
  *
  * Law tangents, and rate derivatives where dampers or tyres act, must be up to date; `phi` says whether they count. */

@@ -30,9 +30,9 @@ void flexel_laws(flexel_work *s)
 }
 
 /* The share with which the states of the laws of a type follow; zero if they are held. */
-static double share_of(const flexel_work *s, const flexel_lag *lag, double share)
+static double share_of(const flexel_lag *lag, double share, int at_rest)
 {
-    return s->at_rest && !lag->lasting ? 0 : share;
+    return at_rest && !lag->lasting ? 0 : share;
 }
 
 /* A = 1 - share dzd/dz of a law, from the places of its derivatives. */
@@ -61,12 +61,12 @@ static void correct_states(flexel_work *s, const flexel_lag *lag, const double *
 }
 
 /* Whether the states of all laws are those that an implicit step asks for. */
-static int states_found(const flexel_work *s, const double *known, double share)
+static int states_found(const flexel_work *s, const double *known, double share, int at_rest)
 {
     double off = 0, z = 0, zd = 0;
     for (size_t l = 0; l < s->nlags; l++) {
         const flexel_lag *lag = s->lags + l;
-        const double own = share_of(s, lag, share);
+        const double own = share_of(lag, share, at_rest);
         for (size_t j = 0; j < lag->count * lag->nz; j++) {
             const int i = lag->z[j];
             off = fmax(off, fabs(s->z[i] - known[i] - own * s->zd[i]));
@@ -77,13 +77,13 @@ static int states_found(const flexel_work *s, const double *known, double share)
     return off <= 1e-13 * (z + zd);
 }
 
-void flexel_implicit_states(flexel_work *s, const double *known, double share)
+void flexel_implicit_states(flexel_work *s, const double *known, double share, int at_rest)
 {
     flexel_laws(s);
-    for (size_t iteration = 0; iteration < MOST_ITERATIONS && !states_found(s, known, share); iteration++) {
+    for (size_t iteration = 0; iteration < MOST_ITERATIONS && !states_found(s, known, share, at_rest); iteration++) {
         run_laws(s, &s->law_tangent);
         for (size_t i = 0; i < s->nlags; i++)
-            correct_states(s, s->lags + i, known, share_of(s, s->lags + i, share));
+            correct_states(s, s->lags + i, known, share_of(s->lags + i, share, at_rest));
         flexel_laws(s);
     }
 }
@@ -113,13 +113,13 @@ static void condense(const flexel_lag *lag, const double *out, double share)
     }
 }
 
-void flexel_law_tangents(flexel_work *s, double share)
+void flexel_law_tangents(flexel_work *s, double share, int at_rest)
 {
     if (!s->nlaws)
         return;
     run_laws(s, &s->law_tangent);
     for (size_t i = 0; i < s->nlags; i++)
-        condense(s->lags + i, s->law_tangent_out, share_of(s, s->lags + i, share));
+        condense(s->lags + i, s->law_tangent_out, share_of(s->lags + i, share, at_rest));
     flexel_sum(&s->S_sums, s->law_tangent_out, s->S);
     flexel_sum(&s->S_rate_sums, s->law_tangent_out, s->S_rate);
 }

@@ -50,7 +50,7 @@ static void derive(flexel_work *s, const flexel_linear *l, const double *state, 
     flexel_inertia(s);
     flexel_rate_derivatives(s);
     flexel_acceleration_derivatives(s);
-    flexel_law_tangents(s, 0);
+    flexel_law_tangents(s, 0, 0);
     double *laws = derivatives + derivatives_of(s, l) - l->nlaws;
     for (size_t i = 0; i < l->nlaws; i++)
         laws[i] = s->law_tangent_out[l->laws[i]];

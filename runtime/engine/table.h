@@ -138,7 +138,6 @@ typedef struct {
     double *S, *S_rate;
     size_t nlags;
     const flexel_lag *lags;
-    int at_rest; /* whether only lasting states follow from an implicit step; the others are held */
     double *lag_values;
     /* tangent T over the free coordinates (nT entries and one for what is dropped); elements; pairs across elements */
     size_t nT;

@@ -95,7 +95,7 @@ class Dop853(MinimalRun):
         self.counts["evaluations"] += 1
 
     def jump(self, z: Array) -> None:
-        """The same, with the length of the steps kept."""
+        """Continue from here with other internal states and the same length of steps."""
         self.z = z
         self.account.part()
         self.steps.y[self.steps.y.size - z.size :] = z

@@ -99,7 +99,7 @@ class SaddleFactors(Struct):
         """
         state = dynamics.complete(kinematics, now.t, now.x, now.v, now.e, z)
         work = kinematics.evaluation.work
-        lib.flexel_law_tangents(work.struct, 0.0)
+        lib.flexel_law_tangents(work.struct, 0.0, 0)
         try:
             check_slopes(work)
         finally:

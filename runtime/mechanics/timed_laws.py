@@ -122,5 +122,5 @@ def _forces(evaluation: Evaluation, state: State, t: float) -> Forces:
     work = evaluation.at(t, state.x, state.v, z=state.z, unwrap_from=state.e)
     work.laws()
     stress, pairs = work.law_stress.copy(), work.tables.law.codes.size
-    lib.flexel_law_tangents(work.struct, 0.0)
+    lib.flexel_law_tangents(work.struct, 0.0, 0)
     return stress, work.S[:pairs].copy(), work.S_rate[:pairs].copy()

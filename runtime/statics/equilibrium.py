@@ -36,7 +36,9 @@ class Rest(Saddle):
         own_state(system.structure, start, "equilibrium")
         more = np.zeros(0, dtype=np.intp) if held is None else held
         super().__init__(system, more)
-        self.follows = any(lag.lasting for lag in system.evaluation.tables.law.lags)
+        lasting, step = any(lag.lasting for lag in self.work.tables.law.lags), self.balancing.struct
+        self._share, self._rate = (DURATION, 1 / DURATION) if lasting else (0.0, 0.0)
+        step.implicit, step.at_rest, step.share = lasting, lasting, self._share
         self.leave(start)
         self.still = np.concatenate([self.roles.kinematic, more])
         self.held = start.values[self.still]
@@ -45,6 +47,7 @@ class Rest(Saddle):
     def leave(self, known: State) -> None:
         """Let the internal states follow the displacement from a known equilibrium, from their values there."""
         self.z, self._from = known.z, known.x
+        self.balancing.known[:] = known.z
 
     def state(self, b: Balance) -> State:
         """Return the state of rest at a balance."""
@@ -70,27 +73,13 @@ class Rest(Saddle):
 
     def equations(self, t: float, x: Array, mu: Array, unwrap_from: Array) -> Equations:
         """Evaluate the residual (r, gap) and its derivative by (x, mu) at time t."""
-        b = self._displaced(t, x, mu, unwrap_from) if self.follows else self._still(t, x, mu, unwrap_from)
+        v = self._rate * (x - self._from) if self._rate else self.rest
+        b = self.balance(t, x, v, self.rest, mu, unwrap_from)
+        self.stiffness(self._rate, share=self._share)
         values = self.system.kinematics.values(b.e, x)
         gap = np.concatenate([b.gap, values[self.still] - self.held])
         largest = float(np.abs(self.free).max(initial=0.0))
         return Equations(b, np.concatenate([b.r, gap]), self.pattern.matrix(self.work), largest)
-
-    def _still(self, t: float, x: Array, mu: Array, unwrap_from: Array) -> Balance:
-        """Evaluate the balance and the stiffness with all internal states held."""
-        b = self.balance(t, x, self.rest, self.rest, mu, unwrap_from)
-        self.stiffness()
-        return b
-
-    def _displaced(self, t: float, x: Array, mu: Array, unwrap_from: Array) -> Balance:
-        """Evaluate the balance and the stiffness with the lasting internal states after the displacement."""
-        step, v = self.balancing.struct, (x - self._from) / DURATION
-        step.implicit, step.at_rest, step.share = 1, 1, DURATION
-        self.balancing.known[:] = self.z
-        b = self.balance(t, x, v, self.rest, mu, unwrap_from)
-        self.stiffness(rate=1 / DURATION, share=DURATION)
-        step.implicit = step.at_rest = 0
-        return b
 
     def size(self, q: Equations, residual: Array) -> float:
         """Return the size of a residual in natural scales."""
