@@ -18,8 +18,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from flexel.apps.view import drawing
-from flexel.apps.view.scene import View, canvas, draw, painted
-from flexel.base.arguments import path_of
+from flexel.apps.view.options import span_of
+from flexel.apps.view.scene import View, canvas, draw, painted, view_of
+from flexel.base.arguments import path_of, positive
 from flexel.base.errors import FlexelError, ModelError
 from flexel.base.files import replacing
 from flexel.base.progress import followed, seen
@@ -126,14 +127,14 @@ def animate(
         raise ModelError(
             f"animate '{path}': suffix '{path.suffix}' is unknown; use one of {', '.join(known)}"
         )
-    if not (fps > 0 and slower > 0):
-        raise ModelError(f"animate '{path}': fps {fps:g} and slower {slower:g} must be positive")
+    owner = f"animate '{path}'"
+    fps, slower = positive(fps, owner, "fps"), positive(slower, owner, "slower")
     if path.suffix == ".mp4" and shutil.which("ffmpeg") is None:
         raise FlexelError(
             f"animate '{path}': the program ffmpeg is not installed; install it (`apt install ffmpeg`), or write .html "
             "or .gif"
         )
-    start, end = between or (float(motion.t[0]), float(motion.t[-1]))
+    start, end = span_of(between, (float(motion.t[0]), float(motion.t[-1])), owner)
     count = max(2, round((end - start) * slower * fps) + 1)
     if path.suffix == ".html":
         from flexel.apps.view.page import view_motion
@@ -142,7 +143,7 @@ def animate(
         return view_motion(motion, path, frames=count, between=between, slower=slower, **shown)
     state_at = motion.at if motion.dense else motion.nearest
     states = [state_at(float(t)) for t in np.linspace(start, end, count)]
-    view = view or _whole(states)
+    view = _whole(states) if view is None else view_of(view, owner)
     drawn = _frames(states, view, title, size, dpi)
     frames = followed(drawn, seen(progress, "animate"), len(states), "frame")
     with replacing(path, "animate") as part:

@@ -15,7 +15,7 @@ import numpy as np
 from flexel.apps.view import drawing
 from flexel.apps.view.figures import COLOURS, caption, save
 from flexel.apps.view.primitives import edges
-from flexel.apps.view.scene import View, canvas, display_axes
+from flexel.apps.view.scene import View, canvas, display_axes, view_of
 from flexel.base.arguments import text
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
@@ -158,7 +158,7 @@ def _overlaid(
     figures: Sequence[tuple[State, str, str]], path: str | Path | None, view: View | None, title: str
 ) -> Figure:
     """Draw several states of one model in one picture, each in a different colour."""
-    view = view or View()
+    view = view_of(view, "picture of shapes")
     flat = drawing.planar(figures[0][0])
     up = drawing.upward(figures[0][0]) if view.up is None else np.asarray(view.up, dtype=float)
     turn = np.eye(3) if flat else display_axes(up)

@@ -17,7 +17,7 @@ from flexel.apps.view.deflected import EDGE, GREY, at_coordinates
 from flexel.apps.view.figures import COLOURS, figure, save, unit_text
 from flexel.apps.view.poses import Poses
 from flexel.apps.view.primitives import edges, extent
-from flexel.apps.view.scene import PAINT, View, display_axes
+from flexel.apps.view.scene import PAINT, View, display_axes, view_of
 from flexel.base.arrays import Array, Index
 from flexel.base.shown import prints
 from flexel.model.instances import Instance
@@ -154,7 +154,7 @@ def plot_element(
     -------
     matplotlib.figure.Figure
     """
-    view, modes = view or View(), element_modes(state, element, amount)
+    view, modes = view_of(view, "plot_element"), element_modes(state, element, amount)
     instance, flat = state.structure.element(element), drawing.planar(state)
     columns = min(columns, len(modes) + 1)
     rows = -(-(len(modes) + 1) // columns)

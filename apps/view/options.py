@@ -1,4 +1,4 @@
-"""Options of pictures: their names and types, and a check of those that a method passes on."""
+"""Options of pictures: their names and types, and checks of what is given for them."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from inspect import Parameter, signature
 from typing import Any, TypedDict
 
 from flexel.apps.view.scene import View
-from flexel.base.arguments import unknown
+from flexel.base.arguments import unknown, vector
 from flexel.base.errors import ModelError
 
 
@@ -55,3 +55,19 @@ def checked(owner: str, picture: Callable[..., Any], options: Mapping[str, Any])
             raise ModelError(f"{owner}: '{wrong}' is an option of View; write view=fx.View({wrong}=…)")
         raise ModelError(f"{owner}: {unknown(wrong, known, 'option')}")
     return dict(options)
+
+
+def span_of(between: Sequence[float] | None, whole: tuple[float, float], owner: str) -> tuple[float, float]:
+    """Return the times of the part to show [s], all of the motion by default.
+
+    Raises
+    ------
+    ModelError
+        Not two numbers, or the end before the start.
+    """
+    if between is None:
+        return whole
+    start, end = vector(between, owner, "between", 2).tolist()
+    if start > end:
+        raise ModelError(f"{owner}: between ends at {end:g} s before its start at {start:g} s; exchange them")
+    return start, end

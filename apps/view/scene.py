@@ -97,6 +97,17 @@ class View:
             )
 
 
+def view_of(given: View | None, owner: str) -> View:
+    """Return the view, by default one without options; a ModelError for anything else."""
+    if given is None:
+        return View()
+    if not isinstance(given, View):
+        raise ModelError(
+            f"{owner}: view {given!r:.60} is not a View; write view=fx.View(elevation=30, azimuth=-70)"
+        )
+    return given
+
+
 @contextmanager
 def canvas(state: State, size: tuple[float, float] = (7.0, 5.0)) -> Iterator[tuple[Figure, Any]]:
     """Make a figure with one set of axes: plain for a planar model, else spatial and filling the figure."""
@@ -129,7 +140,7 @@ def draw(
     --------
     >>> draw(motion[-1], view=View(azimuth=-70)).figure.savefig("end.png")  # doctest: +SKIP
     """
-    view = view or View()
+    view = view_of(view, "draw")
     flat = drawing.planar(state)
     if axes is None:
         with canvas(state) as (_, axes):

@@ -5,10 +5,9 @@ from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
-from hypothesis import HealthCheck, Phase, given, settings
-from hypothesis import seed as seeded
 from hypothesis import strategies as st
 
+from campaign.draws import each
 from campaign.drive import AGREE, OUTCOMES, SILENT, Verdict, driven
 from campaign.grammar_rides import RIDES
 from campaign.journal import Journal, Row
@@ -21,18 +20,7 @@ PART = 100  # rides of one seed
 def drawn(strategy: st.SearchStrategy[Ride], count: int, seed: str) -> list[Ride]:
     """So many rides of one family; the first that hypothesis draws is always the simplest, and is not counted."""
     found: list[Ride] = []
-
-    def one(ride: Ride) -> None:
-        found.append(ride)
-
-    options = settings(
-        max_examples=count + 1,
-        database=None,
-        deadline=None,
-        phases=[Phase.generate],
-        suppress_health_check=list(HealthCheck),
-    )
-    seeded(seed)(options(given(ride=strategy)(one)))()
+    each(strategy, count + 1, seed, found.append)
     return found[1:]
 
 

@@ -10,11 +10,10 @@ from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
-from hypothesis import HealthCheck, Phase, given, settings
-from hypothesis import seed as seeded
 from hypothesis import strategies as st
 
 from campaign.case import Case
+from campaign.draws import each
 from campaign.families import FAMILIES
 from campaign.verdict import Verdict, judged, tolerances
 
@@ -141,16 +140,8 @@ def _family(
         if report is not None:
             report(sum(found.families.values()))
 
-    options = settings(
-        max_examples=count,
-        database=None,
-        deadline=None,
-        phases=[Phase.generate, Phase.shrink] if shrink else [Phase.generate],
-        report_multiple_bugs=False,
-        suppress_health_check=list(HealthCheck),
-    )
     try:
-        seeded(seed)(options(given(case=strategy)(one)))()
+        each(strategy, count, seed, one, shrink)
     except ModelFailedError:
         found.add(failed[-1])
     except Exception:  # of the grammar, which builds parts of the model that it draws

@@ -3,7 +3,10 @@
 The seeds are fixed.  `JUDGED` motions are those that the page shows; ``make test-all`` runs all.
 """
 
+import subprocess
+import sys
 from functools import cache
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -15,6 +18,7 @@ from campaign.grammar_hard import HARD
 from campaign.grammar_rides import FIRST, PARTS, RIDES, SIZES
 from campaign.ride import Ride
 
+TESTS = Path(__file__).resolve().parents[1]
 SEEDS = 10  # of `PART` motions each
 JUDGED = 60  # motions, drawn with the seed 0
 
@@ -38,6 +42,15 @@ def test_every_family_and_every_trait_is_drawn() -> None:
     drawn = {trait for ride in some for trait in ride.traits}
     names = {trait.__name__.replace("_", " ") for trait in (*FIRST, *SIZES, *PARTS)}
     assert names - drawn <= {"strange units"}, names - drawn  # these are named by the units
+
+
+@pytest.mark.long
+def test_draws_depend_on_the_seed_alone() -> None:
+    """Another process, in which other modules are loaded, draws the same."""
+    program = "from campaign.defaults import PART, named; print([ride.program() for ride in named(PART, 0).values()])"
+    command = [sys.executable, "-c", program]
+    found = subprocess.run(command, cwd=TESTS, capture_output=True, text=True, check=True)
+    assert found.stdout == f"{[ride.program() for ride in rides(0).values()]}\n"
 
 
 @pytest.mark.campaign

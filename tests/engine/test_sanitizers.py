@@ -42,7 +42,7 @@ FLAGS = [
 ]
 FLAGS += [f"-I{ENGINE}", f"-I{GENERATED}", "-Wall", "-Wextra", "-Werror"]
 
-pytestmark = pytest.mark.campaign  # compiles the engine twice; `make sanitize` runs it
+CAMPAIGN = pytest.mark.campaign  # compiles the engine twice; `make sanitize` runs it
 
 
 def rolling() -> tuple[fx.System, fx.State]:
@@ -155,7 +155,7 @@ def moved(methods: Methods) -> Array:
         ffi.buffer(work.element_stress, 8 * (work.m + work.k)), count=work.m + work.k
     )
     lib.flexel_rate_derivatives(work)
-    lib.flexel_law_tangents(work, 0.0)
+    lib.flexel_law_tangents(work, 0.0, 0)
     tangents = np.zeros((2, work.nT))
     lib.flexel_tangents(work, *(ffi.from_buffer("double[]", tangent) for tangent in tangents))
     return np.concatenate([*arrays, energies, tangents.ravel()])
@@ -217,6 +217,17 @@ def run(driver: Path, file: Path) -> subprocess.CompletedProcess[str]:
     return subprocess.run([driver, file], capture_output=True, text=True, check=False, env=CLEAN, timeout=300)
 
 
+def test_the_driver_fits_the_engine() -> None:
+    """Its calls have the arguments that the engine's functions take."""
+    compiler = shutil.which("gcc")
+    if not compiler:
+        pytest.skip("gcc is not installed")
+    command = [compiler, *FLAGS, "-fsyntax-only", str(DRIVER)]
+    found = subprocess.run(command, capture_output=True, text=True, check=False, env=CLEAN)
+    assert found.returncode == 0, found.stderr
+
+
+@CAMPAIGN
 @pytest.mark.parametrize("name", MODELS)
 def test_eight_threads_race_nowhere_and_leave_nothing(
     driver: tuple[str, Path], name: str, tmp_path: Path
@@ -230,6 +241,7 @@ def test_eight_threads_race_nowhere_and_leave_nothing(
     assert digits == pytest.approx(expected, rel=1e-9, abs=1e-9 * abs(expected).max())
 
 
+@CAMPAIGN
 def test_two_threads_in_one_workspace_are_noticed(driver: tuple[str, Path], tmp_path: Path) -> None:
     kind, program = driver
     written(tmp_path / "image", prepared(*rolling()), workspaces=4)

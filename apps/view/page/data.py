@@ -14,13 +14,15 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from flexel.apps.view import drawing
+from flexel.apps.view.figures import caption as printable
+from flexel.apps.view.options import span_of
 from flexel.apps.view.page.packing import packed, rounded
 from flexel.apps.view.page.series import floors, histories
 from flexel.apps.view.primitives import UNITS, Shape, extent, lowest
-from flexel.apps.view.scene import PAINT, View, display_axes, painted
+from flexel.apps.view.scene import PAINT, View, display_axes, painted, view_of
 from flexel.apps.view.spring_painters import united
 from flexel.apps.view.wavy_roads import wavy_roads
-from flexel.base.arguments import quantities
+from flexel.base.arguments import names, positive, whole
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.base.progress import followed, seen
@@ -31,6 +33,7 @@ if TYPE_CHECKING:
 
 FORMAT = 3
 FRAMES = 301
+MAX_FRAMES = 100_000  # more than an hour of pictures; a page of more opens in no browser
 COLOURS = {style: paint[0] for style, paint in PAINT.items()}
 COLOURS |= {
     "box": "#8fa3b3",
@@ -74,16 +77,19 @@ def scene_data(
         If the motion has no states in this time, or the view names a node that does not exist.
     """
     states = _sampled(motion, frames, between, seen(progress, "view"))
-    view = view or View()
-    asked = None if plots is None else quantities(plots, "view: plots")
-    for name in (*view.trails, *([view.centre] if isinstance(view.centre, str) else [])):
-        states[0].structure.node(name)
+    view = view_of(view, "view")
+    asked = None if plots is None else names(plots, "view: plots")
+    for node in (*view.trails, *([view.centre] if isinstance(view.centre, str) else [])):
+        states[0].structure.node(node)
     shapes = drawing.shapes(states, view.sketches) + _loads(motion, states)
     times = [round(state.t, 9) for state in states]
-    speed = _speed(times[-1] - times[0]) if slower is None else 1 / slower
+    speed = _speed(times[-1] - times[0]) if slower is None else 1 / positive(slower, "view", "slower")
     of = ("Motion", " s") if motion.over_time else ("Load parameter", "")
-    title = title or f"{of[0]} from {times[0]:.4g} to {times[-1]:.4g}{of[1]}"
-    found = common(states[0], shapes, view, title, caption) | {"times": times, "speed": speed}
+    title = printable(title, "view") or f"{of[0]} from {times[0]:.4g} to {times[-1]:.4g}{of[1]}"
+    found = common(states[0], shapes, view, title, printable(caption, "view", "caption")) | {
+        "times": times,
+        "speed": speed,
+    }
     found["clock"] = (
         {"name": "time", "unit": "s"} if motion.over_time else {"name": "load parameter", "unit": ""}
     )
@@ -113,9 +119,8 @@ def _packed_rows(found: dict[str, Any]) -> dict[str, Any]:
 
 def _sampled(motion: Trajectory, frames: int, between: tuple[float, float] | None, bar: bool) -> list[State]:
     """Return the states to show."""
-    if not isinstance(frames, (int, np.integer)) or frames < 2:
-        raise ModelError(f"view: frames is {frames!r}; give a whole number, 2 or more")
-    start, end = between or (float(motion.t[0]), float(motion.t[-1]))
+    frames = whole(frames, "view", "frames", 2, MAX_FRAMES)
+    start, end = span_of(between, (float(motion.t[0]), float(motion.t[-1])), "view")
     if motion.dense and end > start:
         return [motion.at(float(t)) for t in followed(np.linspace(start, end, frames), bar, frames, "frame")]
     kept = [state for state in motion if start <= state.t <= end]

@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 from flexel.apps.view import drawing
+from flexel.apps.view.figures import caption as printable
 from flexel.apps.view.page.data import common, numbers, part
 from flexel.apps.view.page.modal import SUFFIX, modal_units, modal_values, packed_values
 from flexel.apps.view.page.packing import packed
 from flexel.apps.view.page.series import floors
 from flexel.apps.view.primitives import Shape, extent
-from flexel.apps.view.scene import View
+from flexel.apps.view.scene import View, view_of
 from flexel.base.arrays import Array, ComplexArray
 from flexel.base.errors import ModelError
 from flexel.mechanics.linearized_system import LinearizedSystem
@@ -53,18 +54,16 @@ def mode_data(
         If there are no modes, or one belongs to another model.
     """
     state = about.state if isinstance(about, LinearizedSystem) else own_state_of(about)
-    if modes is None and isinstance(about, LinearizedSystem):
-        modes = sorted(about.modes(), key=lambda mode: mode.omega)[:MODES_SHOWN]
-    if not modes:
-        raise ModelError(
-            "view of modes: no modes given; give those of system.vibrations(state) or system.buckling(state), or a "
-            "linearization"
-        )
-    view = view or View()
+    modes = _modes_of(about, modes)
+    view, title = view_of(view, "view of modes"), printable(title, "view of modes")
     base = drawing.shapes(state, view.sketches)
     buckled = all(isinstance(mode, BucklingMode) for mode in modes)
     found = common(
-        state, base, view, title or ("Buckling modes" if buckled else "Modes of vibration"), caption
+        state,
+        base,
+        view,
+        title or ("Buckling modes" if buckled else "Modes of vibration"),
+        printable(caption, "view of modes", "caption"),
     )
     displaced = [_displaced(state, _coordinates(about, state, mode), base, view) for mode in modes]
     found |= {
@@ -83,6 +82,21 @@ def mode_data(
         one["values"] |= packed_values([shape.values[i] for shape in displaced])
         found["shapes"].append(one)
     return found
+
+
+def _modes_of(about: LinearizedSystem | State, modes: Any) -> list[AnyMode]:
+    """Return the modes to show: those given, else the slowest of a linearization."""
+    if modes is None and isinstance(about, LinearizedSystem):
+        return sorted(about.modes(), key=lambda mode: mode.omega)[:MODES_SHOWN]
+    listed = list(modes) if isinstance(modes, Iterable) else []
+    strange = [mode for mode in listed if not isinstance(mode, AnyMode)]
+    if strange or not listed:
+        wrong = f"{strange[0]!r:.60} is no mode" if strange else "no modes given"
+        raise ModelError(
+            f"view of modes: {wrong}; give those of system.vibrations(state) or "
+            "system.buckling(state), or a linearization"
+        )
+    return listed
 
 
 @dataclass(frozen=True)

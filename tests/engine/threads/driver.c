@@ -118,7 +118,7 @@ static int moved(task *own)
     flexel_state(s, own->state);
     memcpy(s->stress, s->element_stress, (s->m + s->k) * sizeof(double));
     flexel_rate_derivatives(s);
-    flexel_law_tangents(s, 0);
+    flexel_law_tangents(s, 0, 0);
     flexel_tangents(s, own->state + own->length - 2 * s->nT, own->state + own->length - s->nT);
     return 0;
 }
