@@ -123,7 +123,7 @@ class ElementSpec:
     """Element: what `flexel_element` in kernels.h does not say.
 
     The words family and picture are those of `flexel.derive.declare.words`; span is the name of the element that
-    carries a load along the length.
+    carries a load along the length.  arm: where it is rigid, it holds a body together.
     """
 
     name: str
@@ -138,11 +138,21 @@ class ElementSpec:
     family: str = ""
     picture: str = ""
     span: str = ""
+    arm: bool = False
 
     @property
     def outputs(self) -> tuple[OutputSpec, ...]:
         """What it reports besides its deformations."""
         return self.kernels["outputs"].outputs if "outputs" in self.kernels else ()
+
+    @property
+    def gaps(self) -> bool:
+        """Whether it is a contact: some of its deformations are gaps."""
+        return any(d.kind == "gap" for d in self.deformations)
+
+    def reports(self, *names: str) -> bool:
+        """Whether its outputs have all these names."""
+        return {*names} <= {output.name for output in self.outputs}
 
     @property
     def planar(self) -> bool:
@@ -166,6 +176,14 @@ class LimitSpec:
     parameter: str
     component: int
     beyond: str
+
+
+@dataclass(frozen=True)
+class LevelSpec:
+    """Value of a law's first deformation at which it begins to act: a component of a parameter; without one, zero."""
+
+    parameter: str = ""
+    component: int = 0
 
 
 @dataclass(frozen=True)
@@ -196,5 +214,6 @@ class LawSpec:
     parameters: tuple[ParameterSpec, ...]
     kernels: dict[str, KernelSpec]
     limit: LimitSpec | None = None
+    begins: tuple[LevelSpec, ...] = ()
     arguments: tuple[ArgumentSpec, ...] = ()
     timed: bool = False  # its stresses or rates depend on time

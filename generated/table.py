@@ -10,6 +10,7 @@ from flexel.derive.spec import (
     InternalSpec,
     KernelSpec,
     LawSpec,
+    LevelSpec,
     LimitSpec,
     NodeSpec,
     OutputSpec,
@@ -567,6 +568,7 @@ ELEMENTS: dict[str, ElementSpec] = {
         family="link",
         picture="bar",
         span="bar_span",
+        arm=True,
     ),
     # element beam
     "beam": ElementSpec(
@@ -679,6 +681,7 @@ ELEMENTS: dict[str, ElementSpec] = {
         family="beam",
         picture="beam",
         span="beam_span",
+        arm=True,
     ),
     # element beam_first_order
     "beam_first_order": ElementSpec(
@@ -791,6 +794,7 @@ ELEMENTS: dict[str, ElementSpec] = {
         family="beam",
         picture="beam",
         span="beam_span",
+        arm=True,
     ),
     # element beam_warping
     "beam_warping": ElementSpec(
@@ -911,6 +915,7 @@ ELEMENTS: dict[str, ElementSpec] = {
         family="beam",
         picture="beam",
         span="beam_span",
+        arm=True,
     ),
     # element beam_logarithmic
     "beam_logarithmic": ElementSpec(
@@ -1020,6 +1025,7 @@ ELEMENTS: dict[str, ElementSpec] = {
         family="beam",
         picture="beam",
         span="beam_span",
+        arm=True,
     ),
     # element wheel
     "wheel": ElementSpec(
@@ -1041,7 +1047,7 @@ ELEMENTS: dict[str, ElementSpec] = {
         deformations=(
             DeformationSpec("radius", "m", False),
             DeformationSpec("plane", "m", False),
-            DeformationSpec("surface", "m", False),
+            DeformationSpec("surface", "m", False, kind="touch"),
             DeformationSpec("lowest", "m", False),
         ),
         slips=(
@@ -1184,7 +1190,7 @@ ELEMENTS: dict[str, ElementSpec] = {
         deformations=(
             DeformationSpec("radius", "m", False),
             DeformationSpec("plane", "m", False),
-            DeformationSpec("surface", "m", False),
+            DeformationSpec("surface", "m", False, kind="touch"),
             DeformationSpec("lowest", "m", False),
         ),
         slips=(
@@ -2386,6 +2392,7 @@ ELEMENTS: dict[str, ElementSpec] = {
         family="beam",
         picture="beam",
         span="planar_beam_span",
+        arm=True,
     ),
     # element planar_beam_first_order
     "planar_beam_first_order": ElementSpec(
@@ -2492,6 +2499,7 @@ ELEMENTS: dict[str, ElementSpec] = {
         family="beam",
         picture="beam",
         span="planar_beam_span",
+        arm=True,
     ),
     # element planar_beam_logarithmic
     "planar_beam_logarithmic": ElementSpec(
@@ -2595,6 +2603,7 @@ ELEMENTS: dict[str, ElementSpec] = {
         family="beam",
         picture="beam",
         span="planar_beam_span",
+        arm=True,
     ),
     # element planar_beam3
     "planar_beam3": ElementSpec(
@@ -2690,6 +2699,7 @@ ELEMENTS: dict[str, ElementSpec] = {
         family="link",
         picture="bar",
         span="planar_bar_span",
+        arm=True,
     ),
     # element planar_bearing
     "planar_bearing": ElementSpec(
@@ -6132,6 +6142,9 @@ LAWS: dict[str, LawSpec] = {
                 14,
             ),
         },
+        begins=(
+            LevelSpec(parameter="gap"),
+        ),
         arguments=(
             ArgumentSpec("e"),
         ),
@@ -6168,6 +6181,9 @@ LAWS: dict[str, LawSpec] = {
                 9,
             ),
         },
+        begins=(
+            LevelSpec(),
+        ),
         arguments=(
             ArgumentSpec("deflection", unit="m"),
         ),
@@ -6208,6 +6224,9 @@ LAWS: dict[str, LawSpec] = {
                 65,
             ),
         },
+        begins=(
+            LevelSpec(),
+        ),
         arguments=(
             ArgumentSpec("deflection", unit="m"),
             ArgumentSpec("camber", unit="rad"),
@@ -6255,6 +6274,9 @@ LAWS: dict[str, LawSpec] = {
             ),
         },
         limit=LimitSpec("A", 2, "friction and stiffnesses keep their values beyond"),
+        begins=(
+            LevelSpec(),
+        ),
         arguments=(
             ArgumentSpec("deflection", unit="m"),
             ArgumentSpec("camber", unit="rad"),
@@ -6308,6 +6330,9 @@ LAWS: dict[str, LawSpec] = {
                 205,
             ),
         },
+        begins=(
+            LevelSpec(),
+        ),
         arguments=(
             ArgumentSpec("deflection", unit="m"),
             ArgumentSpec("camber", unit="rad"),
@@ -6672,6 +6697,10 @@ LAWS: dict[str, LawSpec] = {
                 26,
             ),
         },
+        begins=(
+            LevelSpec(parameter="low"),
+            LevelSpec(parameter="high"),
+        ),
         arguments=(
             ArgumentSpec("e"),
         ),

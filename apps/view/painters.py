@@ -19,7 +19,6 @@ from flexel.apps.view.primitives import (
     outline_of,
     posed,
     rectangle,
-    reports,
     section_outline,
     segment,
     spatial,
@@ -174,7 +173,7 @@ def hinge(poses: Poses, instance: Instance) -> Iterator[Shape]:
 def pin_place(poses: Poses, instance: Instance) -> tuple[Array, Array] | None:
     """Return position and axis, (..., 3) each, of the pin of a hinge, if it has a position and reports its axis."""
     held = _pin_point(poses, instance)
-    known = instance.spec.planar or reports(instance, "axes")
+    known = instance.spec.planar or instance.spec.reports("axes")
     return (poses.place(held), _pin_axis(poses, instance)) if held and known else None
 
 

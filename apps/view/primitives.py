@@ -168,11 +168,6 @@ def section_outline(instance: Instance) -> Array | None:
     return outline_of(instance.profile.section) if isinstance(instance.profile, Profile) else None
 
 
-def reports(instance: Instance, *names: str) -> bool:
-    """Whether an element has outputs of these names."""
-    return set(names) <= {output.name for output in instance.spec.outputs}
-
-
 def spatial(vectors: Array) -> Array:
     """Return positions, directions or forces (…, 3); those of planar elements have no component along z."""
     missing = 3 - vectors.shape[-1]

@@ -9,7 +9,7 @@ import numpy as np
 
 from flexel.apps.view.painters import pin_place
 from flexel.apps.view.poses import Poses
-from flexel.apps.view.primitives import Shape, rectangle, reports, section_outline, segment, triad_of
+from flexel.apps.view.primitives import Shape, rectangle, section_outline, segment, triad_of
 from flexel.base.arrays import Array
 from flexel.model.instances import Instance, LawInstance
 
@@ -94,7 +94,7 @@ def _spring(poses: Poses, law: LawInstance, i: int, instance: Instance) -> Itera
         if section_outline(instance) is None and not _is_bar(law, i, instance):
             ends = segment(poses.place(instance.nodes[0]), poses.place(instance.nodes[-1]))
             yield from _line(name, law, i, ends, poses.stress(law.deformations[i]))
-    elif family in SLIDING and part in AXES and reports(instance, "axes", "displacement"):
+    elif family in SLIDING and part in AXES and instance.spec.reports("axes", "displacement"):
         outputs, end = poses.outputs(instance), poses.place(instance.nodes[2])
         along = triad_of(outputs)[..., AXES[part]]
         # not the deformation of the state: a displaced state of a picture has only positions
@@ -152,7 +152,7 @@ def guides(poses: Poses) -> Iterator[Shape]:
 
 def _slides(poses: Poses, instance: Instance) -> int | None:
     """Return the only free displacement of a link or bearing that holds the others, if there is one."""
-    if "." in instance.name or instance.spec.family not in SLIDING or not reports(instance, "axes"):
+    if "." in instance.name or instance.spec.family not in SLIDING or not instance.spec.reports("axes"):
         return None
     parts = [deformation.name for deformation in instance.spec.deformations if deformation.name in AXES]
     free = [

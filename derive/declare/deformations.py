@@ -22,7 +22,8 @@ class Deformation:
         The jump after a full turn: 2 pi, or a sum of products of powers of parameters. Zero states that it never
         jumps, although an atan2 in it could.
     kind : str, optional
-        The gap of a contact ("gap") or the norm of a frame's Euler parameters ("norm").
+        The gap of a contact ("gap"), the height of one that is never lost ("touch"), or the norm of a frame's Euler
+        parameters ("norm").
     kinked : bool, optional
         Whether its derivatives jump at configurations that motions reach; it is then never chosen as a degree of
         freedom.

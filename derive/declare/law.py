@@ -83,6 +83,9 @@ class Law:
         Named intermediates, each in terms of the arguments, parameters and earlier ones.
     limit : Limit, optional
         The limit of its data.
+    begins : tuple of Expr, optional
+        Values of the first deformation at which the law begins to act: parameters, components of them, or zero. Steps
+        of explicit methods end there.
     units : tuple of str, (m + k,), optional
         Units of the deformations and slips; empty text for one of any unit.  None are given by default.
 
@@ -110,6 +113,7 @@ class Law:
     states: tuple[Internal, ...] = ()
     let: tuple[tuple[Symbol, Expr], ...] = ()
     limit: Limit | None = None
+    begins: tuple[Expr, ...] = ()
     units: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
@@ -132,6 +136,12 @@ class Law:
         if self.limit is not None and self.limit.parameter not in self.parameter_symbols:
             raise ElementError(
                 f"{owner}: the limit {self.limit.parameter} is not one of its parameters; declare it"
+            )
+        strange = [at for at in self.begins if at != 0 and at not in self.parameter_symbols]
+        if strange or (self.begins and not self.e):
+            raise ElementError(
+                f"{owner}: it begins to act where its first deformation is zero or one of its parameters, not "
+                f"{strange[0] if strange else 'without a deformation'}; correct begins"
             )
         self._check_expressions(owner, symbols)
 

@@ -34,6 +34,8 @@ FAMILIES: dict[str, tuple[str, ...]] = {
     "sensor": ("frame", "point frame", "planar_point planar_angle"),
     "span": ("point point", "planar_point planar_point", *_ENDS, *_CABLE),
 }
+# Families whose elements, where they are rigid, hold a body together: an over-constrained mechanism releases them last.
+ARMS = ("link", "beam")
 # What paints an element; "" is the line through its points.
 PICTURES = (
     "",
@@ -55,9 +57,9 @@ PICTURES = (
 )
 # What a picture draws of an output: nothing, a line in one of these styles, or a mark.
 LINES = ("", "bar", "beam", "rope", "rim", "spoke", "valve", "axle", "mass")
-# What a deformation is, apart from a measure: the gap of a contact (open where positive), or the norm of a frame's
-# Euler parameters (which always holds).
-KINDS = ("", "gap", "norm")
+# What a deformation is, apart from a measure: the gap of a contact (open where positive), the height of a contact that
+# cannot be lost (held, although its force only pushes), or the norm of a frame's Euler parameters (which always holds).
+KINDS = ("", "gap", "touch", "norm")
 # What the numbers of a parameter must be; "semidefinite": together the upper triangle of a matrix, row by row, that has
 # no negative eigenvalue.
 SIGNS = ("any", "positive", "not negative", "not zero", "at least one")

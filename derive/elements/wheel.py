@@ -51,7 +51,7 @@ def _rolling(name: str, crown: Parameter | None, doc: str, source: str) -> Eleme
         deformations=(
             Deformation("radius", "m", (dot(r, r) - rim**2) / (2 * rim)),
             Deformation("plane", "m", dot(a, r)),
-            Deformation("surface", "m", dot(n, c.x) - HEIGHT.symbol),
+            Deformation("surface", "m", dot(n, c.x) - HEIGHT.symbol, kind="touch"),
             Deformation("lowest", "m", dot(n, ra)),
         ),
         slips=slips,

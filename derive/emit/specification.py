@@ -1,9 +1,11 @@
 """The specification of a derived element or law: what the runtime reads of it."""
 
+from sympy import Expr
+
 from flexel.derive.declare import TIME, Deformation, Element, Law, Parameter
 from flexel.derive.declare.output import ValidRange
 from flexel.derive.declare.winding import period_terms
-from flexel.derive.declare.words import MATRIX_SIGNS
+from flexel.derive.declare.words import ARMS, MATRIX_SIGNS
 from flexel.derive.program.kernel_outputs import Derived
 from flexel.derive.spec import (
     ArgumentSpec,
@@ -12,6 +14,7 @@ from flexel.derive.spec import (
     InternalSpec,
     KernelSpec,
     LawSpec,
+    LevelSpec,
     LimitSpec,
     NodeSpec,
     OutputSpec,
@@ -36,6 +39,7 @@ def element_spec(element: Element, derived: Derived, digest: str) -> ElementSpec
         family=element.family,
         picture=element.picture,
         span=element.span,
+        arm=element.family in ARMS,
     )
 
 
@@ -51,6 +55,7 @@ def law_spec(law: Law, derived: Derived, digest: str) -> LawSpec:
         parameters=_parameters(law.parameters),
         kernels=_kernels(derived),
         limit=_limit(law),
+        begins=tuple(LevelSpec(*_component(law, at)) if at != 0 else LevelSpec() for at in law.begins),
         arguments=_arguments(law),
         timed=_is_timed(law),
     )
@@ -74,13 +79,13 @@ def _arguments(law: Law) -> tuple[ArgumentSpec, ...]:
 
 
 def _limit(law: Law) -> LimitSpec | None:
-    if law.limit is None:
-        return None
-    for parameter in law.parameters:
-        if law.limit.parameter in parameter.symbols:
-            component = parameter.symbols.index(law.limit.parameter)
-            return LimitSpec(parameter.name, component, law.limit.beyond)
-    raise AssertionError("a declared limit is one of the law's parameters")
+    return None if law.limit is None else LimitSpec(*_component(law, law.limit.parameter), law.limit.beyond)
+
+
+def _component(law: Law, component: Expr) -> tuple[str, int]:
+    """Return the parameter and the place in it of one of a law's parameters' components."""
+    (found,) = (p for p in law.parameters if component in p.symbols)
+    return found.name, found.symbols.index(component)
 
 
 def _sign(parameter: Parameter) -> tuple[str, ...]:

@@ -86,12 +86,12 @@ def _wraps(structure: Structure) -> list[_Wrap]:
 
 def _is_sheave(instance: Instance) -> bool:
     """Whether an element is the contact of a cable, which has a length, with a sheave or drum, which have a radius."""
-    return instance.spec.family == "contact" and {"l0", "radius"} <= instance.parameters.keys()
+    return instance.spec.gaps and {"l0", "radius"} <= instance.parameters.keys()
 
 
 def _last_elements(structure: Structure) -> dict[str, set[str]]:
     """Return elements of cables with points that no other element has, and these points."""
-    cables = [instance for instance in structure.instances if instance.spec.family == "cable"]
+    cables = [instance for instance in structure.instances if instance.spec.reports("tension")]
     counts = Counter(node for cable in cables for node in (cable.nodes[0], cable.nodes[2]))
     ends = {
         cable.name: {node for node in (cable.nodes[0], cable.nodes[2]) if counts[node] == 1}
@@ -105,5 +105,5 @@ def _is_anchored(structure: Structure, points: set[str], body: tuple[str, ...]) 
     return bool(points & set(body)) or any(
         points & set(instance.nodes) and set(body) & set(instance.nodes)
         for instance in structure.instances
-        if instance.spec.family not in ("cable", "contact")
+        if not (instance.spec.gaps or instance.spec.reports("tension"))
     )

@@ -16,13 +16,6 @@ BEYOND = (
     1e-10  # the same, by which a step ends past that instant, so that the next one begins on the other side
 )
 TRIALS = 8  # of one step
-LEVELS: dict[
-    str, tuple[str, ...]
-] = {  # laws that begin to act where their deformation passes a parameter, or zero ("")
-    "stop": ("gap",),
-    "limits": ("low", "high"),
-    **dict.fromkeys(("vertical_tyre", "linear_tyre", "calspan_tyre", "magic_formula"), ("",)),
-}
 
 
 class TouchingContacts:
@@ -38,7 +31,7 @@ class TouchingContacts:
     Attributes
     ----------
     rows : ndarray of int (k,)
-        Deformations that are gaps, or that laws of `LEVELS` act on.
+        Deformations that are gaps, or at a value of which a law begins to act.
     levels : ndarray (k,)
         Their values where a contact begins.
     """
@@ -75,14 +68,16 @@ class TouchingContacts:
 
 
 def _levels(tables: Tables) -> list[tuple[Index, Array]]:
-    """Return the deformations of the laws of `LEVELS`, and the values from which these act."""
+    """Return the deformations of laws that begin to act at a value of theirs, and these values."""
     found = []
     for batch, p in zip(tables.laws, tables.parameters[1], strict=True):  # p: the parameters of a variant
-        for name in LEVELS.get(batch.spec.name, ()):
+        components = [(q.name, component) for q in batch.spec.parameters for component in range(q.size)]
+        for level in batch.spec.begins:
             rows = batch.places["e"][:, 0]
-            at = [parameter.name for parameter in batch.spec.parameters].index(name) if name else 0
-            levels = np.swapaxes(p, 1, 2).reshape(-1, p.shape[1])[: rows.size, at]
-            found.append((rows, levels if name else np.zeros(rows.size)))
+            values = np.swapaxes(p, 1, 2).reshape(-1, p.shape[1])[: rows.size]
+            known = level.parameter, level.component
+            at = values[:, components.index(known)] if level.parameter else np.zeros(rows.size)
+            found.append((rows, at))
     return found
 
 

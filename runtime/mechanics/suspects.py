@@ -15,6 +15,7 @@ from flexel.mechanics.findings import Finding
 from flexel.model.instances import Instance
 from flexel.model.lowering import Lowering
 from flexel.model.profiles import SectionOfMaterial
+from flexel.model.stress import SECTION_FORCES
 from flexel.model.structure import Structure
 
 SOFTEST, STIFFEST = 1e6, 2e12  # Young's modulus [Pa]: soft rubber, twice diamond
@@ -26,6 +27,7 @@ TURNS = 4 * np.pi  # an initial angle beyond two turns is probably in degrees
 SLENDER = 1.0  # depth of a section over the size of the model
 FOLLOWING = 1.0  # length of a cable's element over the radius of a circle
 SHOWN = 2  # elements named in one finding
+POINTS = ("point", "planar_point")
 SHORT = 1e-6  # length of an element over the size of the model
 
 
@@ -133,15 +135,14 @@ def _profile(beam: Instance, profile: SectionOfMaterial, size: float) -> Iterato
 
 def _length(model: Lowering, instance: Instance) -> float | None:
     """Return the distance between the ends of an element between two points, as drawn."""
-    ends = [
-        model.nodes[node].x0 for node in instance.nodes if model.nodes[node].kind in ("point", "planar_point")
-    ]
+    ends = [model.nodes[node].x0 for node in instance.nodes if model.nodes[node].kind in POINTS]
     return float(np.linalg.norm(ends[1] - ends[0])) if len(ends) == 2 else None
 
 
 def _short(model: Lowering, instance: Instance, size: float) -> Iterator[Suspicion]:
-    length = _length(model, instance)
-    if length is not None and length < SHORT * size and instance.spec.family in ("beam", "truss"):
+    length, spec = _length(model, instance), instance.spec
+    bar = all(node.kind in POINTS for node in spec.nodes)
+    if length is not None and length < SHORT * size and (bar or spec.reports(*SECTION_FORCES)):
         text = f": only {length:.3g} m long in a model of {size:.3g} m; join the ends at one point"
         yield Suspicion("elements", instance.spec.family, instance.name, text)
 
@@ -150,7 +151,7 @@ def _coarse(structure: Structure) -> Iterator[Finding]:
     """Find cables whose elements are longer than the radius of a circle they may touch, one finding per circle."""
     longest: dict[str, tuple[float, float, str]] = {}
     for contact in structure.instances:
-        if contact.spec.family == "contact" and {"l0", "radius"} <= contact.parameters.keys():
+        if contact.spec.gaps and {"l0", "radius"} <= contact.parameters.keys():
             cable, _, circle = contact.name.rpartition("#")[0].rpartition("@")
             l0, radius = (float(contact.parameters[key][0]) for key in ("l0", "radius"))
             if l0 > FOLLOWING * radius * (1 + 1e-9):

@@ -131,25 +131,19 @@ def _named(structure: Structure, rows: Index, space: Array) -> list[dict[str, fl
 
 
 def _flexible(structure: Structure) -> set[str]:
-    """Return the deformations of beams that have flexible ones."""
+    """Return the deformations of arms that have flexible ones, such as those of beams."""
     bending = {name.split(".")[0] for law in structure.laws for name in law.deformations}
-    beams = [
-        instance
-        for instance in structure.instances
-        if instance.spec.family == "beam" and instance.name in bending
-    ]
-    return {d for beam in beams for d in beam.deformations}
-
-
-def _joints(structure: Structure) -> set[str]:
-    """Return the deformations of all elements except rigid beams and links, which are the arms of bodies."""
-    arms = ("beam", "link")
     return {
         d
         for instance in structure.instances
-        if instance.spec.family not in arms
+        if instance.spec.arm and instance.name in bending
         for d in instance.deformations
     }
+
+
+def _joints(structure: Structure) -> set[str]:
+    """Return the deformations of all elements but the arms of bodies."""
+    return {d for instance in structure.instances if not instance.spec.arm for d in instance.deformations}
 
 
 def _releases(C: Array, groups: tuple[set[int], ...]) -> list[int]:

@@ -18,6 +18,8 @@ from flexel.model.instances import Instance
 from flexel.model.profiles import SectionForces, SectionOfMaterial, StressPoint
 from flexel.model.structure import Structure
 
+SECTION_FORCES = ("force_p", "moment_p", "force_q", "moment_q")  # outputs of a beam
+
 
 class ElementOutputs(Protocol):
     """A state, as far as forces in beams need it."""
@@ -66,13 +68,7 @@ class BeamStress:
 
 def section_forces(state: ElementOutputs, beam: str) -> tuple[SectionForces, SectionForces]:
     """Return the forces in the sections at both ends of a beam; see `State.section_forces`."""
-    instance = _find(state, beam)
-    found = state.outputs(instance.name)
-    if "force_p" not in found:
-        raise ModelError(
-            f"beam '{beam}': the element '{instance.spec.name}' reports no section forces; declare outputs force_p, "
-            "moment_p, force_q and moment_q, as flexel.derive.elements.section_outputs does"
-        )
+    found = state.outputs(_find(state, beam).name)
     return end_forces(found, "p"), end_forces(found, "q")
 
 
@@ -102,7 +98,7 @@ def largest_stress(state: ElementOutputs) -> BeamStress:
     beams = [
         instance.name
         for instance in state.structure.instances
-        if instance.profile is not None and instance.spec.family == "beam"
+        if instance.profile is not None and instance.spec.reports(*SECTION_FORCES)
     ]
     if not beams:
         raise ModelError("no beam has a section; give one to m.beam(…, section=, material=)")
@@ -110,9 +106,15 @@ def largest_stress(state: ElementOutputs) -> BeamStress:
 
 
 def _find(state: ElementOutputs, beam: str) -> Instance:
-    known = {
-        instance.name: instance for instance in state.structure.instances if instance.spec.family == "beam"
-    }
-    if not isinstance(beam, str) or beam not in known:
-        raise ModelError(unknown(str(beam), known, "beam with two frames"))
-    return known[beam]
+    """Return a beam that reports its section forces."""
+    elements = {instance.name: instance for instance in state.structure.instances}
+    found = elements.get(beam) if isinstance(beam, str) else None
+    beams = [name for name, instance in elements.items() if instance.spec.reports(*SECTION_FORCES)]
+    if found is not None and beam not in beams and found.spec.arm:
+        raise ModelError(
+            f"beam '{beam}': the element '{found.spec.name}' reports no section forces; declare outputs force_p, "
+            "moment_p, force_q and moment_q, as flexel.derive.elements.section_outputs does"
+        )
+    if found is None or beam not in beams:
+        raise ModelError(unknown(str(beam), beams, "beam with two frames"))
+    return found

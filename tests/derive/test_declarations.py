@@ -48,7 +48,7 @@ def test_an_unknown_word_names_the_element_and_lists_the_known_ones(fields: Any,
 
 def test_kinds_and_signs_are_checked_too() -> None:
     with pytest.raises(
-        ValueError, match="deformation 'd': kind 'gab' is unknown; choose one of '', 'gap', 'norm'"
+        ValueError, match="deformation 'd': kind 'gab' is unknown; choose one of '', 'gap', 'touch', 'norm'"
     ):
         Deformation("d", "m", p.x[0], kind="gab")
     with pytest.raises(ValueError, match="parameter 'k': sign 'plus' is unknown; choose one of .*'positive'"):
@@ -101,6 +101,15 @@ def test_a_limit_is_a_parameter_of_its_law() -> None:
     law = definitions()["law_calspan_tyre"]
     with pytest.raises(ValueError, match=f"law '{law.name}': the limit x is not one of its parameters"):
         type(law)(**{**vars(law), "limit": Limit(sp.Symbol("x"), "nothing")})
+
+
+def test_a_law_begins_to_act_at_a_parameter_or_at_zero() -> None:
+    begins = {law.name: [(at.parameter, at.component) for at in law.begins] for law in LAW_TABLE.values() if law.begins}
+    tyres = ("vertical_tyre", "linear_tyre", "calspan_tyre", "magic_formula")
+    assert begins == {"stop": [("gap", 0)], "limits": [("low", 0), ("high", 0)]} | dict.fromkeys(tyres, [("", 0)])
+    law = definitions()["law_stop"]
+    with pytest.raises(ValueError, match="law 'stop': it begins to act where .* one of its parameters, not x; correct"):
+        type(law)(**{**vars(law), "begins": (sp.Symbol("x"),)})
 
 
 # -- what winds

@@ -1,4 +1,4 @@
-"""The runtime reads what an element is from its declaration; it has no list of names of elements."""
+"""The runtime reads what an element is from its declaration; it has no list of names of elements, laws or families."""
 
 import ast
 from dataclasses import replace
@@ -40,6 +40,28 @@ def test_nothing_depends_on_the_name_of_an_element(path: Path) -> None:
     assert [
         ast.unparse(node) for node in ast.walk(ast.parse(path.read_text())) if asks_for_a_name(node)
     ] == []
+
+
+def asks_for_a_family(node: ast.AST) -> bool:
+    """Whether code compares a family or looks it up; to print one is no question."""
+    if isinstance(node, ast.Compare):
+        return any("spec.family" in ast.unparse(side) for side in (node.left, *node.comparators))
+    return isinstance(node, ast.Subscript) and "spec.family" in ast.unparse(node.slice)
+
+
+def looks_up_a_name(node: ast.AST) -> bool:
+    """Whether code takes what belongs to an element or law from a table that has its name as a key."""
+    if not (isinstance(node, ast.Call) and isinstance(node.func, ast.Attribute) and node.func.attr == "get"):
+        return False
+    table = ast.unparse(node.func.value)
+    return table.isupper() and any(ast.unparse(key).endswith("spec.name") for key in node.args)
+
+
+@pytest.mark.parametrize("path", sorted((ROOT / "runtime").rglob("*.py")), ids=lambda path: path.name)
+def test_the_core_asks_for_no_family(path: Path) -> None:
+    """It reads facts of the pages: gaps, what is reported, the arms of bodies, where a law begins to act."""
+    nodes = ast.walk(ast.parse(path.read_text()))
+    assert [ast.unparse(node) for node in nodes if asks_for_a_family(node) or looks_up_a_name(node)] == []
 
 
 @pytest.mark.parametrize("kinked", [False, True])
