@@ -104,11 +104,19 @@ def test_a_limit_is_a_parameter_of_its_law() -> None:
 
 
 def test_a_law_begins_to_act_at_a_parameter_or_at_zero() -> None:
-    begins = {law.name: [(at.parameter, at.component) for at in law.begins] for law in LAW_TABLE.values() if law.begins}
+    begins = {
+        law.name: [(at.parameter, at.component) for at in law.begins]
+        for law in LAW_TABLE.values()
+        if law.begins
+    }
     tyres = ("vertical_tyre", "linear_tyre", "calspan_tyre", "magic_formula")
-    assert begins == {"stop": [("gap", 0)], "limits": [("low", 0), ("high", 0)]} | dict.fromkeys(tyres, [("", 0)])
+    assert begins == {"stop": [("gap", 0)], "limits": [("low", 0), ("high", 0)]} | dict.fromkeys(
+        tyres, [("", 0)]
+    )
     law = definitions()["law_stop"]
-    with pytest.raises(ValueError, match="law 'stop': it begins to act where .* one of its parameters, not x; correct"):
+    with pytest.raises(
+        ValueError, match="law 'stop': it begins to act where .* one of its parameters, not x; correct"
+    ):
         type(law)(**{**vars(law), "begins": (sp.Symbol("x"),)})
 
 

@@ -232,7 +232,7 @@ def test_mistakes_are_reported(ride: fx.Motion, tmp_path: Path) -> None:
     """Each names the remedy."""
     with pytest.raises(fx.ModelError, match="ends in .html"):
         view_motion(ride, tmp_path / "ride.txt", frames=2)
-    with pytest.raises(fx.ModelError, match="frames is 1; give a whole number, 2 or more"):
+    with pytest.raises(fx.ModelError, match="frames 1; give a whole number, 2 or more"):
         scene_data(ride, frames=1)
     with pytest.raises(fx.ModelError, match="unknown node 'haed'; did you mean head"):
         scene_data(ride, view=fx.View(centre="haed"))

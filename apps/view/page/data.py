@@ -280,9 +280,10 @@ def numbers(shape: Shape) -> Array:
         places = np.concatenate(shape.lines, axis=-2)
         return places.reshape(*places.shape[:-2], -1)
     origin, R = shape.pose
-    turns = np.roll(
-        Rotation.from_matrix(R.reshape(-1, 3, 3)).as_quat(), 1, axis=1
-    )  # SciPy has the scalar last
+    found = Rotation.from_matrix(
+        np.array(R).reshape(-1, 3, 3)
+    )  # older versions take no array that is read-only
+    turns = np.roll(found.as_quat(), 1, axis=1)  # SciPy has the scalar last
     same = np.sum(turns[1:] * turns[:-1], axis=1) >= 0
     turns[1:] *= np.cumprod(np.where(same, 1.0, -1.0))[:, None]
     return np.concatenate([origin, turns.reshape(*origin.shape[:-1], 4)], axis=-1)

@@ -54,10 +54,10 @@ def mode_data(
         If there are no modes, or one belongs to another model.
     """
     state = about.state if isinstance(about, LinearizedSystem) else own_state_of(about)
-    modes = _modes_of(about, modes)
+    shown = _modes_of(about, modes)
     view, title = view_of(view, "view of modes"), printable(title, "view of modes")
     base = drawing.shapes(state, view.sketches)
-    buckled = all(isinstance(mode, BucklingMode) for mode in modes)
+    buckled = all(isinstance(mode, BucklingMode) for mode in shown)
     found = common(
         state,
         base,
@@ -65,12 +65,12 @@ def mode_data(
         title or ("Buckling modes" if buckled else "Modes of vibration"),
         printable(caption, "view of modes", "caption"),
     )
-    displaced = [_displaced(state, _coordinates(about, state, mode), base, view) for mode in modes]
+    displaced = [_displaced(state, _coordinates(about, state, mode), base, view) for mode in shown]
     found |= {
         "times": [state.t],
         "speed": 1.0,
         "digits": 2,
-        "modes": [_words(i, mode) for i, mode in enumerate(modes)],
+        "modes": [_words(i, mode) for i, mode in enumerate(shown)],
     }
     found["floors"] = floors([state], base, found["size"])
     found["units"] = found["units"] | modal_units()
@@ -84,7 +84,7 @@ def mode_data(
     return found
 
 
-def _modes_of(about: LinearizedSystem | State, modes: Any) -> list[AnyMode]:
+def _modes_of(about: LinearizedSystem | State, modes: Any) -> Sequence[AnyMode]:
     """Return the modes to show: those given, else the slowest of a linearization."""
     if modes is None and isinstance(about, LinearizedSystem):
         return sorted(about.modes(), key=lambda mode: mode.omega)[:MODES_SHOWN]
