@@ -147,7 +147,7 @@ types: $(VENV_LINT)/installed
 	$(VENV_LINT)/bin/python setup.py --quiet build_py --build-lib $(TYPED)
 	cd $(TYPED) && MYPYPATH=. $(abspath $(VENV_LINT))/bin/mypy --config-file $(CURDIR)/pyproject.toml --strict -p flexel
 	cd $(TYPED) && MYPYPATH=.:$(CURDIR)/tools $(abspath $(VENV_LINT))/bin/mypy --config-file $(CURDIR)/pyproject.toml --strict \
-	  -p report $(patsubst tools/%.py,-m %,$(wildcard tools/*.py))
+	  -p report -p bench $(patsubst tools/%.py,-m %,$(wildcard tools/*.py))
 	$(VENV_LINT)/bin/python .ci/users_types.py $(TYPED)
 
 check: $(VENV)/installed

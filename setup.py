@@ -19,8 +19,7 @@ from setuptools.command.build_ext import build_ext
 from setuptools.errors import CompileError
 
 ROOTS = {"flexel": "runtime"} | {
-    f"flexel.{name}": name
-    for name in ("derive", "generated", "parts", "results", "apps", "examples", "benchmarks")
+    f"flexel.{name}": name for name in ("derive", "generated", "parts", "results", "apps", "examples")
 }
 FOUND = [f"{root}.{name}" for root, folder in ROOTS.items() for name in find_packages(folder)]
 ABI3 = {"bdist_wheel": {"py_limited_api": "cp311"}}

@@ -1,4 +1,4 @@
-"""Models of the rope problems with closed forms: planar ropes that hang, and ropes over drums, sheaves and planes."""
+"""Models of the rope problems: ropes that hang or fall, and ropes over drums, sheaves and planes."""
 
 from __future__ import annotations
 
@@ -102,6 +102,24 @@ def falling(n: int, E: float, L: float, A: float, I: float, rho: float, size: fl
     ends = [(0.0, 0.0, 0.0)[: int(size)], (L, 0.0, 0.0)[: int(size)]]
     rod = m.cable_line("rod", ends, n, EA=E * A, EI=E * I, mass_per_length=rho * A)
     m.fix(rod.points[0])
+    return m.build()
+
+
+def let_go(n: int, element: float, *, EA: float, EI: float, mass: float) -> fx.System:
+    """Build a rope of n spatial cables along x, held at one end and let go, with gravity along -z.
+
+    Parameters
+    ----------
+    element, mass : float
+        Length of a cable [m], mass per length [kg/m].
+    """
+    m = fx.Model(gravity=(0, 0, -G))
+    for i in range(n + 1):
+        m.point(f"p{i}", (element * i, 0, 0), fixed=i == 0)
+        m.slope(f"d{i}", (1, 0, 0))
+    for i in range(n):
+        ends = (f"p{i}", f"d{i}", f"p{i + 1}", f"d{i + 1}")
+        m.cable(f"c{i}", *ends, EA=EA, EI=EI, mass_per_length=mass)
     return m.build()
 
 

@@ -10,12 +10,12 @@ import moving
 import numpy as np
 
 import flexel as fx
-from flexel.benchmarks import governor, squeezer
 from flexel.examples import (
     beams_models,
     bicycle,
     cardan,
     cylinder,
+    linkages,
     manipulator,
     motorcycle,
     vehicle_runs,
@@ -259,8 +259,8 @@ def stiff_pendulum() -> fx.System:
     return m.build()
 
 
-mechanism(squeezer.SECONDS)(squeezer.squeezer)
-mechanism(governor.SECONDS)(governor.governor)
+mechanism(linkages.SQUEEZER_SECONDS)(linkages.squeezer)
+mechanism(linkages.GOVERNOR_SECONDS)(linkages.governor)
 
 
 @mechanism(1.0)

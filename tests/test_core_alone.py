@@ -5,7 +5,7 @@ import sys
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-ABOVE = ("parts", "results", "apps", "examples", "benchmarks")
+ABOVE = ("parts", "results", "apps", "examples")
 PROGRAM = '''
 import importlib, sys
 

@@ -14,7 +14,8 @@ import pytest
 import flexel
 
 ROOT = Path(__file__).resolve().parent.parent
-PARTS = ("derive", "generated", "runtime", "parts", "results", "apps", "examples", "benchmarks")
+PARTS = ("derive", "generated", "runtime", "parts", "results", "apps", "examples")
+BENCH = "tools/bench"  # not installed; starts as quickly, and without its peers
 
 # The package of derive that may import the generated kernels.
 SEES_GENERATED = ("derive/verify",)
@@ -40,7 +41,7 @@ CALLS_DERIVE = (
     "parts/elements.py",
 )
 # What makes an import slow, or is an extra that may be absent: inside functions only.
-PEERS = {"bicycleparameters", "exudyn", "mujoco", "pinocchio", "symbrim"}  # of `flexel bench`
+PEERS = {"bicycleparameters", "exudyn", "mujoco", "pinocchio", "symbrim"}  # of the bench
 LAZY = {"sympy", "jinja2", "matplotlib", "xarray", "h5netcdf", "pandas", "control", "sksundae"}
 LAZY |= {"joblib", "cloudpickle", "dask", "distributed"} | PEERS
 # Programs as users write them: nothing imports them.
@@ -48,7 +49,7 @@ PROGRAMS = "examples/gallery/"
 # Pages as users write them: their SymPy is at the top, and what compiles them imports them inside functions.
 PAGES = ("examples/hoist_paper_element.py",)
 # The peer that derives by SymPy, and prints what it derived as C.
-DERIVES = ("benchmarks/peers/symbrim.py", "benchmarks/peers/printed.py")
+DERIVES = (f"{BENCH}/peers/symbrim.py", f"{BENCH}/peers/printed.py")
 
 
 @dataclass(frozen=True)
@@ -141,7 +142,7 @@ def test_runtime_and_examples_derive_only_when_called_and_only_in_named_modules(
     """A model runs without SymPy; commands and user-defined elements import it when they need it."""
     symbolic = [
         statement
-        for statement in imports("runtime", "parts", "results", "apps", "examples", "benchmarks")
+        for statement in imports("runtime", "parts", "results", "apps", "examples", BENCH)
         if not statement.file.startswith((PROGRAMS, *PAGES))
         and (
             (statement.part == "derive" and not statement.module.startswith(PLAIN))
@@ -156,7 +157,7 @@ def test_runtime_and_examples_derive_only_when_called_and_only_in_named_modules(
 
 
 def test_slow_and_optional_packages_are_imported_when_used() -> None:
-    found = imports("runtime", "parts", "results", "apps", "examples", "benchmarks")
+    found = imports("runtime", "parts", "results", "apps", "examples", BENCH)
     eager = [statement for statement in found if not statement.lazy and statement.head in LAZY]
     assert [str(statement) for statement in eager if not statement.file.startswith((PROGRAMS, *PAGES))] == []
 
@@ -176,20 +177,22 @@ def test_nothing_imports_the_programs_of_the_gallery() -> None:
     ] == []
 
 
-def test_the_runtime_imports_neither_examples_nor_benchmarks() -> None:
-    """They use flexel, and benchmarks use examples, not the other way round (commands find them by name)."""
+def test_the_runtime_imports_no_examples() -> None:
+    """They use flexel, not the other way round (commands find them by name)."""
     assert [
         str(statement)
         for statement in imports("runtime", "parts", "results", "apps")
-        if statement.part in ("examples", "benchmarks")
+        if statement.part == "examples"
     ] == []
-    assert [str(statement) for statement in imports("examples") if statement.part == "benchmarks"] == []
 
 
 def test_nothing_that_is_installed_imports_what_only_developers_run() -> None:
+    """But `flexel bench`, when it runs, from a checkout."""
     names = {path.stem for path in (ROOT / "tools").iterdir() if path.suffix == ".py" or path.is_dir()}
-    assert {"report", "write_report", "filling"} <= names
-    assert [str(found) for found in imports(*PARTS) if found.head in names] == []
+    assert {"report", "write_report", "filling", "bench"} <= names
+    found = [statement for statement in imports(*PARTS) if statement.head in names]
+    assert [str(statement) for statement in found] == ["apps/cli/bench.py: bench.command"]
+    assert found[0].lazy
 
 
 def test_the_specification_brings_no_sympy() -> None:

@@ -47,7 +47,6 @@ BY_HAND = (
     "apps",
     "examples",
     "tests",
-    "benchmarks",
     "docs",
     "tools",
 )  # generated/ is printed by `flexel derive`

@@ -21,10 +21,9 @@ from pathlib import Path
 from typing import Any
 
 import filling
+from bench.ratios import best
 from filling import DOCS, pages
 from report.markup import size
-
-from flexel.benchmarks.ratios import best
 
 KEPT = DOCS / "measured.json"
 BLOCK = filling.marked("measured|scaling")

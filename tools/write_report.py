@@ -11,6 +11,7 @@ from datetime import UTC, datetime
 from pathlib import Path
 
 import click
+from bench.machine import processor
 from report.making import ReportOptions, make, version
 from report.page import page, sections, write
 from report.parts import NAMES, files_in, read_parts
@@ -20,7 +21,6 @@ from flexel.apps.cli.facts import facts
 from flexel.apps.cli.reproduce import CASES
 from flexel.apps.cli.stop import INTERRUPTED
 from flexel.base.errors import FlexelError
-from flexel.benchmarks.machine import processor
 from flexel.generated.table import ELEMENTS, LAWS
 
 # Rows of `flexel bench` that take a few seconds each.

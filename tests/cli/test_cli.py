@@ -55,7 +55,7 @@ def fails_with(monkeypatch: pytest.MonkeyPatch, outcome: Report | Exception) -> 
 
 
 @pytest.mark.parametrize(
-    "command", ["derive", "verify", "reproduce", "bench", "run", "check", "sweep", "convert", "view", "info"]
+    "command", ["derive", "verify", "reproduce", "run", "check", "sweep", "convert", "view", "info"]
 )
 @pytest.mark.parametrize("switch", ["--help", "-h"])
 def test_every_command_has_help(command: str, switch: str) -> None:
@@ -64,6 +64,33 @@ def test_every_command_has_help(command: str, switch: str) -> None:
     result = run(command, switch)
     assert result.exit_code == 0, result.output
     assert f"flexel {command}" in result.output or f"main {command}" in result.output
+
+
+@pytest.mark.parametrize("switch", ["--help", "-h"])
+def test_the_bench_of_a_checkout_has_its_help(
+    switch: str, checkout: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """All arguments are those of the command of the sources."""
+    monkeypatch.setattr(flexel, "__file__", str(checkout / "runtime" / "__init__.py"))
+    result = run("bench", switch)
+    assert result.exit_code == 0, result.output
+    assert "bench [OPTIONS] [NAME...]" in result.output
+    assert "--json FILE" in result.output and "--plot FILE" in result.output
+    wrong = run("bench", "--jsn", "-")
+    assert wrong.exit_code == 2 and "--jsn" in wrong.stderr
+
+
+@pytest.mark.parametrize("arguments", [(), ("--help",), ("hoist", "--json", "-")])
+def test_a_bench_without_the_sources_says_where_it_is(
+    arguments: tuple[str, ...], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """As an installed wheel, which has no tools/ beside it; it is listed all the same."""
+    monkeypatch.setattr(flexel, "__file__", str(tmp_path / "flexel" / "__init__.py"))
+    assert "\n  bench " in run("--help").stdout
+    result = run("bench", *arguments)
+    assert (result.exit_code, result.stdout) == (1, "")
+    assert result.stderr.startswith("Error: the benchmarks come with the sources")
+    assert "make bench" in result.stderr and len(result.stderr.splitlines()) == 1
 
 
 def test_module_is_the_command() -> None:

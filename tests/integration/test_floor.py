@@ -2,15 +2,16 @@
 
 import numpy as np
 
-from flexel.benchmarks import bicycle
+from flexel.examples import bicycle_data as data
 from flexel.examples import vehicle_runs as runs
+from flexel.examples.bicycle import bicycle, rolling
 from flexel.examples.vehicle import vehicle
 
 
 def test_the_energy_of_a_bicycle_has_no_jumps_at_tight_tolerances() -> None:
     """Manoeuvre M1: rounding only (6.7e-13 in one step with positions found to 1e-13 only)."""
-    b = bicycle.bicycle()
-    start = bicycle.rolling(b, bicycle.data.M1_SPEED, bicycle.data.ROLL_RATE)
+    b = bicycle()
+    start = rolling(b, data.M1_SPEED, data.ROLL_RATE)
     motion = b.simulate(5.0, start=start, samples=201, method="DOP853", rtol=1e-12, atol=1e-14)
     energy = motion.energy["total"]
     assert np.max(np.abs(np.diff(energy))) < 2e-13 * abs(energy[0])

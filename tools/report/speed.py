@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from math import isfinite
 
+from bench.ratios import best, peer_ratios
+
 from flexel.base.shown import counted
-from flexel.benchmarks.ratios import best, peer_ratios
 from report.markup import Html, folded, join, size, table, tag
 from report.parts import Measured, Timed
 from report.plots import Plots, bars

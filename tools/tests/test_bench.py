@@ -10,15 +10,15 @@ from typing import Any
 
 import numpy as np
 import pytest
+from bench import table, timing
+from bench.chains import right_hand_side
+from bench.machine import machine
+from bench.table import ROWS, UNITS, Row
+from bench.timing import Series, Work, measure
 from click.testing import CliRunner, Result
 
 import flexel as fx
 from flexel.apps.cli import main as cli
-from flexel.benchmarks import table, timing
-from flexel.benchmarks.chains import right_hand_side
-from flexel.benchmarks.machine import machine
-from flexel.benchmarks.table import ROWS, UNITS, Row
-from flexel.benchmarks.timing import Series, Work, measure
 
 KEYS = {"name", "value", "unit", "error", "target", "goal", "accuracy", "within", "peers"}
 QUICK = ("bicycle_rhs", "bicycle_M1", "linearize_vehicle", "build_bicycle", "kernels_beam", "import_flexel")

@@ -10,16 +10,16 @@ from types import ModuleType
 import numpy as np
 import pytest
 import sympy
+from bench import compare, peers, table, timing
+from bench.compare import Figure, nothing
+from bench.peers import PEERS, Peer
+from bench.peers.printed import printed
+from bench.speed_figure import ratios
+from bench.table import ROWS, Row
+from bench.timing import Series, Timing, Work, measure
 from click.testing import CliRunner, Result
 
 from flexel.apps.cli import main as cli
-from flexel.benchmarks import compare, peers, table, timing
-from flexel.benchmarks.compare import Figure, nothing
-from flexel.benchmarks.peers import PEERS, Peer
-from flexel.benchmarks.peers.printed import printed
-from flexel.benchmarks.speed_figure import ratios
-from flexel.benchmarks.table import ROWS, Row
-from flexel.benchmarks.timing import Series, Timing, Work, measure
 
 Prepare = Callable[..., Work]
 

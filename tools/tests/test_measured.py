@@ -8,8 +8,7 @@ from typing import Any
 
 import measured
 import pytest
-
-from flexel.benchmarks.table import ROWS
+from bench.table import ROWS
 
 
 def row(name: str, value: float, **more: Any) -> dict[str, Any]:

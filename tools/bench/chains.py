@@ -1,4 +1,4 @@
-"""Chains of rigid rods on hinges in space, hanging from one end or from both: the right-hand side.
+"""The right-hand side of chains of rigid rods on hinges in space, hanging from one end or from both, and of a ladder.
 
 All hinges turn about y, so the chain moves in a plane, and its equations are known in closed form.
 """
@@ -11,8 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 
 import flexel as fx
+from bench.timing import Work
 from flexel.base.arrays import Array
-from flexel.benchmarks.timing import Work
+from flexel.examples import linkages
 
 LENGTH, MASS = 0.1, 0.1  # of a rod [m], [kg]
 INERTIA = (1e-5, 8e-5, 8e-5)  # about its centre [kg m²]
@@ -130,3 +131,14 @@ def accelerations(theta: Array, omega: Array, closed: bool) -> Array:
         M = np.block([[M, across.T], [across, np.zeros((2, 2))]])
         f = np.concatenate([f, u @ omega**2])
     return np.diff(np.linalg.solve(M, f)[:n], prepend=0.0)
+
+
+def ladder(n: int) -> Work:
+    """Time `System.rhs` of n moving cranks with couplers between them, at two alternating states."""
+    system, y = linkages.ladder(n), linkages.ladder_state()
+    points = y, y + 1e-6
+
+    def run() -> list[Array]:
+        return [system.rhs(0.0, point) for point in points]
+
+    return Work(run, lambda rates: linkages.ladder_error(rates[0], n), count=2)

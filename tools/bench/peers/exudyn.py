@@ -18,9 +18,10 @@ from typing import Any
 
 import numpy as np
 
+from bench import beams, ropes
+from bench.timing import Work
 from flexel.base.arrays import Array
-from flexel.benchmarks import beams, ropes
-from flexel.benchmarks.timing import Work
+from flexel.examples.rope_models import G
 
 TOLERANCE = 1e-6  # of Newton's iteration; with its default 1e-8, rounding errors in long ropes make it halve the steps
 STATIC_TOLERANCE = 1e-12  # relative, of the equilibrium; with 1e-10 the iteration stops too early
@@ -55,7 +56,7 @@ def rope(n: int) -> tuple[Any, Any, int]:
             axialStiffness=ropes.EA,
         )  # fmt: skip
         marker = system.AddMarker(items.MarkerBodyMass(bodyNumber=system.AddObject(cable)))
-        system.AddLoad(items.LoadMassProportional(markerNumber=marker, loadVector=[0, 0, -ropes.GRAVITY]))
+        system.AddLoad(items.LoadMassProportional(markerNumber=marker, loadVector=[0, 0, -G]))
     hold(system, items, nodes[0], range(3))
     system.AddSensor(
         items.SensorNode(

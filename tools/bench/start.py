@@ -4,7 +4,7 @@ import resource
 import subprocess
 import sys
 
-from flexel.benchmarks.timing import Work
+from bench.timing import Work
 
 
 def importing() -> Work:

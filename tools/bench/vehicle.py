@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from flexel.benchmarks.timing import Work
+from bench.timing import Work
 from flexel.examples import vehicle_runs as runs
 from flexel.examples.differences import state_matrix
 from flexel.examples.vehicle import vehicle

@@ -10,10 +10,10 @@ from dataclasses import dataclass, field
 from importlib import metadata
 from importlib.util import find_spec
 
-from flexel.benchmarks import beams
-from flexel.benchmarks.peers import bicycleparameters, exudyn, mujoco, pinocchio, symbrim
-from flexel.benchmarks.ratios import program
-from flexel.benchmarks.timing import Work
+from bench import beams
+from bench.peers import bicycleparameters, exudyn, mujoco, pinocchio, symbrim
+from bench.ratios import program
+from bench.timing import Work
 
 
 @dataclass(frozen=True)

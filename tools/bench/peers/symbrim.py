@@ -12,10 +12,10 @@ from typing import Any
 
 import numpy as np
 
+from bench import bicycle
+from bench.peers.printed import Rates, printed
+from bench.timing import Work
 from flexel.base.arrays import Array
-from flexel.benchmarks import bicycle
-from flexel.benchmarks.peers.printed import Rates, printed
-from flexel.benchmarks.timing import Work
 from flexel.examples import bicycle_data as data
 
 YAW, ROLL, PITCH, REAR, STEER, FRONT = range(

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from flexel.benchmarks.timing import Work
+from bench.timing import Work
 from flexel.examples.slider_crank import HARMONICS, Sweep, linear_sweep
 
 

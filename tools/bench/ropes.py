@@ -5,15 +5,14 @@ from __future__ import annotations
 import numpy as np
 
 import flexel as fx
+from bench.timing import Work
 from flexel.base.arrays import Array
-from flexel.benchmarks.timing import Work
 from flexel.examples import hoist_model
 from flexel.examples.hoist import LONG_STEP, balance_error, lift
 from flexel.examples.hoist_data import LONG
-from flexel.examples.rope_models import atwood
+from flexel.examples.rope_models import G, atwood, let_go
 
 STEP = 1e-3  # of the falling ropes [s]
-GRAVITY = 9.81
 ELEMENT, EA, EI, MASS = 0.1, 1e6, 50.0, 1.0  # length of a cable [m], stiffness [N], [N m²], mass [kg/m]
 PLACE = (
     1.52852,
@@ -28,14 +27,7 @@ Run = tuple[fx.Motion, dict[str, Array]]
 
 def rope(n: int) -> fx.System:
     """Build a rope of n cables, held at one end and released from the horizontal."""
-    m = fx.Model(gravity=(0, 0, -GRAVITY))
-    for i in range(n + 1):
-        m.point(f"p{i}", (ELEMENT * i, 0, 0), fixed=i == 0)
-        m.slope(f"d{i}", (1, 0, 0))
-    for i in range(n):
-        ends = (f"p{i}", f"d{i}", f"p{i + 1}", f"d{i + 1}")
-        m.cable(f"c{i}", *ends, EA=EA, EI=EI, mass_per_length=MASS)
-    return m.build()
+    return let_go(n, ELEMENT, EA=EA, EI=EI, mass=MASS)
 
 
 def free_end(motion: fx.Motion, n: int) -> Array:
@@ -50,7 +42,7 @@ def place_error(place: Array) -> float:
 
 def release_error(place: Array) -> float:
     """Return the error of the fall in `RELEASE`, in which the free end falls as without a rope."""
-    return float(abs(2 * place[2] / (-GRAVITY * RELEASE**2) - 1))
+    return float(abs(2 * place[2] / (-G * RELEASE**2) - 1))
 
 
 def cables() -> Work:

@@ -6,12 +6,12 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from bench.compare import OWN, Comparison, Figure
+from bench.peers import PEERS
+from bench.ratios import peer_ratios
+from bench.table import Row
 from flexel.apps.view.figures import COLOURS, figure, save
 from flexel.base.errors import FlexelError
-from flexel.benchmarks.compare import OWN, Comparison, Figure
-from flexel.benchmarks.peers import PEERS
-from flexel.benchmarks.ratios import peer_ratios
-from flexel.benchmarks.table import Row
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -8,9 +8,10 @@ from typing import Any
 
 import numpy as np
 
+from bench import chains
+from bench.timing import Work
 from flexel.base.arrays import Array
-from flexel.benchmarks import chains, ladder
-from flexel.benchmarks.timing import Work
+from flexel.examples import linkages
 
 LARGEST = {
     "scaling_chain": 250,
@@ -51,19 +52,19 @@ def right_hand_side(n: int, closed: bool = False) -> Work:
 
 
 def ladder_side(n: int) -> Work:
-    """Time accelerations of cranks and couplers at the states of `ladder.right_hand_side`."""
+    """Time accelerations of cranks and couplers at the states of `chains.ladder`."""
     import pinocchio as pin
 
     model = pin.Model()
-    model.gravity.linear = np.array([0, -ladder.GRAVITY, 0])
-    tip, end = (pin.SE3(np.eye(3), np.array([x, 0, 0])) for x in (ladder.CRANK, ladder.SPACING))
+    model.gravity.linear = np.array([0, -linkages.GRAVITY, 0])
+    tip, end = (pin.SE3(np.eye(3), np.array([x, 0, 0])) for x in (linkages.CRANK, linkages.SPACING))
     hinges: list[Any] = []
     q: list[float] = []
     v: list[float] = []
     coupler = 0
 
     def add(parent: int, place: Any, length: float, angle: float, rate: float) -> int:
-        bar = pin.Inertia.FromCylinder(ladder.MASS * length, THIN, length)
+        bar = pin.Inertia.FromCylinder(linkages.MASS * length, THIN, length)
         middle = pin.SE3(pin.utils.rotate("y", np.pi / 2), np.array([length / 2, 0, 0]))
         joint = int(model.addJoint(parent, pin.JointModelRZ(), place, f"j{len(q)}"))
         model.appendBodyToJoint(joint, bar, middle)
@@ -72,17 +73,17 @@ def ladder_side(n: int) -> Work:
         return joint
 
     for i in range(n):  # a crank, then the coupler that it carries: a tree must be built branch by branch
-        pivot = pin.SE3(np.eye(3), np.array([ladder.SPACING * i, 0, 0]))
-        crank = add(0, pivot, ladder.CRANK, ladder.ANGLE, ladder.RATE)
+        pivot = pin.SE3(np.eye(3), np.array([linkages.SPACING * i, 0, 0]))
+        crank = add(0, pivot, linkages.CRANK, linkages.ANGLE, linkages.RATE)
         if i:
             hinges.append(
                 pin.RigidConstraintModel(pin.ContactType.CONTACT_3D, model, coupler, end, crank, tip)
             )
         if i < n - 1:
-            coupler = add(crank, tip, ladder.SPACING, -ladder.ANGLE, -ladder.RATE)
+            coupler = add(crank, tip, linkages.SPACING, -linkages.ANGLE, -linkages.RATE)
     states = [(np.array(q) + step, np.array(v) + step) for step in (0.0, 1e-6)]
     run = accelerations(model, states, hinges)
-    return Work(run, lambda rates: abs(float(rates[0][0]) / ladder.acceleration(n) - 1), count=2)
+    return Work(run, lambda rates: abs(float(rates[0][0]) / linkages.cranks_acceleration(n) - 1), count=2)
 
 
 def accelerations(

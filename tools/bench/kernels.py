@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from flexel.benchmarks.timing import Work
+from bench.timing import Work
 from flexel.generated._kernels import ffi, lib
 from flexel.generated.table import ELEMENTS
 from flexel.model.node import COMPONENTS

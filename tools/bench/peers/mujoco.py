@@ -9,8 +9,8 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-from flexel.benchmarks import chains
-from flexel.benchmarks.timing import Work
+from bench import chains
+from bench.timing import Work
 
 LARGEST = {"scaling_chain": 500}  # with 1000 rods rounding errors reach 2e-5
 

@@ -7,8 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 
 import flexel as fx
+from bench.timing import Work
 from flexel.base.arrays import Array, ComplexArray
-from flexel.benchmarks.timing import Work
 from flexel.examples import bicycle_data as data
 from flexel.examples.bicycle import bicycle, lean_steer, rolling
 

@@ -7,9 +7,9 @@ import time
 import numpy as np
 
 import flexel as fx
+from bench.bicycle import SPEEDS, apart, exact
+from bench.timing import Work
 from flexel.base.arrays import Array, ComplexArray
-from flexel.benchmarks.bicycle import SPEEDS, apart, exact
-from flexel.benchmarks.timing import Work
 from flexel.examples import bicycle_data as data
 from flexel.examples.bicycle import bicycle, rolling
 from flexel.examples.stable_speeds import LEAN_STEER

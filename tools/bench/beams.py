@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 import flexel as fx
+from bench.timing import Work
 from flexel.base.arrays import Array
-from flexel.benchmarks.timing import Work
 from flexel.examples.flexures_exact import cantilever_elastica
 from flexel.examples.rope_models import cantilever
 

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 import flexel as fx
-from flexel.benchmarks.timing import Work
+from bench.timing import Work
 
 POINTS = 20_000
 

@@ -7,8 +7,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from flexel.benchmarks import bicycle
-from flexel.benchmarks.timing import Work
+from bench import bicycle
+from bench.timing import Work
 from flexel.examples import bicycle_data as data
 
 

@@ -1,6 +1,6 @@
 """The rows of `flexel bench`: the work, the targets and goals, and the accuracy.
 
-The peers of a row are in `flexel.benchmarks.peers`, by the name of the row.
+The peers of a row are in `bench.peers`, by the name of the row.
 """
 
 from __future__ import annotations
@@ -9,12 +9,11 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 
-from flexel.benchmarks import (
+from bench import (
     beams,
     bicycle,
     chains,
     kernels,
-    ladder,
     many,
     ropes,
     slider_crank,
@@ -22,7 +21,7 @@ from flexel.benchmarks import (
     sweeps,
     vehicle,
 )
-from flexel.benchmarks.timing import Work
+from bench.timing import Work
 
 UNITS = {"s": 1.0, "ms": 1e-3, "µs": 1e-6, "ns": 1e-9}
 Prepare = Callable[..., Work]
@@ -102,7 +101,7 @@ ROWS = {
         Row("build_vehicle", "ms", 250, 50, vehicle.build),
         Row("scaling_chain", "ms", None, None, chains.right_hand_side, CLOSED_FORM, 1e-6, SIZES),
         Row("scaling_rope", "s", None, None, ropes.release, RELEASED, 1e-6, SIZES[1:]),
-        Row("scaling_ladder", "ms", None, None, ladder.right_hand_side, LADDER, 1e-6, SIZES),
+        Row("scaling_ladder", "ms", None, None, chains.ladder, LADDER, 1e-6, SIZES),
         Row("kernels_beam", "ns", 22, 18, kernels.beam),
         Row("bicycle_1000", "s", 2, 0.6, many.manoeuvres, STEER, 1e-6),
         Row("bicycle_loci_many", "ms", 15, 2, many.loci, f"eigenvalues {MATRICES}", 1e-10),

@@ -1,4 +1,4 @@
-"""Radau beside other implicit methods: what an error costs each; `python -m flexel.benchmarks.methods`.
+"""Radau beside other implicit methods: what an error costs each; `PYTHONPATH=tools python -m bench.methods`.
 
 For each model and method the loosest tolerance whose error is at most that asked for, among four in each decade: steps,
 evaluations and milliseconds of thread CPU time.  The error is the largest of any coordinate over the largest range of
@@ -20,10 +20,10 @@ import numpy as np
 import scipy.integrate
 
 import flexel as fx
+from bench import cvode
+from bench.ropes import rope
 from flexel.base.arrays import Array
-from flexel.benchmarks import cvode, governor, squeezer
-from flexel.benchmarks.ropes import rope
-from flexel.examples import beams_data
+from flexel.examples import beams_data, linkages
 from flexel.examples.beams_models import spin_up
 from flexel.examples.manipulator import END, SECONDS, START, joint_control, manipulator, move, workspace
 from flexel.examples.slider_crank import slider_crank
@@ -66,10 +66,10 @@ class Found:
 
 def cases() -> Iterator[tuple[str, Case]]:
     """Return the motions, by name."""
-    mechanism = squeezer.squeezer()
-    yield "squeezer", Case(mechanism, squeezer.SECONDS, mechanism.initial, tolerance=1e-12)
-    flyballs = governor.governor()
-    yield "governor", Case(flyballs, governor.SECONDS, flyballs.initial)
+    mechanism = linkages.squeezer()
+    yield "squeezer", Case(mechanism, linkages.SQUEEZER_SECONDS, mechanism.initial, tolerance=1e-12)
+    flyballs = linkages.governor()
+    yield "governor", Case(flyballs, linkages.GOVERNOR_SECONDS, flyballs.initial)
     crank = slider_crank(SPEED, 4)
     yield "slider-crank", Case(crank, 0.04, crank.initial)
     beam = spin_up(4, beams_data.SPIN_SIMO)

@@ -9,10 +9,10 @@ from typing import Any
 
 import numpy as np
 
-from flexel.benchmarks import timing
-from flexel.benchmarks.peers import beside
-from flexel.benchmarks.table import UNITS, Prepare, Row
-from flexel.benchmarks.timing import Series, Timing, measure
+from bench import timing
+from bench.peers import beside
+from bench.table import UNITS, Prepare, Row
+from bench.timing import Series, Timing, measure
 
 OWN = "flexel"
 Failed = Callable[[str, Exception], None]
