@@ -179,11 +179,15 @@ class LimitSpec:
 
 
 @dataclass(frozen=True)
-class LevelSpec:
-    """Value of a law's first deformation at which it begins to act: a component of a parameter; without one, zero."""
+class BeginSpec:
+    """What is zero where a law begins to act: linear in its first deformation and the rate of that.
 
-    parameter: str = ""
-    component: int = 0
+    value, rate, rest: their coefficients and what is added, sums of terms.
+    """
+
+    value: tuple[TermSpec, ...]
+    rate: tuple[TermSpec, ...]
+    rest: tuple[TermSpec, ...]
 
 
 @dataclass(frozen=True)
@@ -214,6 +218,6 @@ class LawSpec:
     parameters: tuple[ParameterSpec, ...]
     kernels: dict[str, KernelSpec]
     limit: LimitSpec | None = None
-    begins: tuple[LevelSpec, ...] = ()
+    begins: tuple[BeginSpec, ...] = ()
     arguments: tuple[ArgumentSpec, ...] = ()
     timed: bool = False  # its stresses or rates depend on time

@@ -5,12 +5,12 @@ Written by `flexel derive`; do not edit.
 
 from flexel.derive.spec import (
     ArgumentSpec,
+    BeginSpec,
     DeformationSpec,
     ElementSpec,
     InternalSpec,
     KernelSpec,
     LawSpec,
-    LevelSpec,
     LimitSpec,
     NodeSpec,
     OutputSpec,
@@ -6143,7 +6143,7 @@ LAWS: dict[str, LawSpec] = {
             ),
         },
         begins=(
-            LevelSpec(parameter="gap"),
+            BeginSpec((TermSpec(1.0),), (), (TermSpec(-1.0, powers=(("gap", 0, 1),)),)),
         ),
         arguments=(
             ArgumentSpec("e"),
@@ -6182,7 +6182,8 @@ LAWS: dict[str, LawSpec] = {
             ),
         },
         begins=(
-            LevelSpec(),
+            BeginSpec((TermSpec(1.0),), (), ()),
+            BeginSpec((TermSpec(1.0, powers=(("stiffness", 0, 1),)),), (TermSpec(1.0, powers=(("damping", 0, 1),)),), ()),
         ),
         arguments=(
             ArgumentSpec("deflection", unit="m"),
@@ -6225,7 +6226,8 @@ LAWS: dict[str, LawSpec] = {
             ),
         },
         begins=(
-            LevelSpec(),
+            BeginSpec((TermSpec(1.0),), (), ()),
+            BeginSpec((TermSpec(1.0, powers=(("stiffness", 0, 1),)),), (TermSpec(1.0, powers=(("damping", 0, 1),)),), ()),
         ),
         arguments=(
             ArgumentSpec("deflection", unit="m"),
@@ -6275,7 +6277,8 @@ LAWS: dict[str, LawSpec] = {
         },
         limit=LimitSpec("A", 2, "friction and stiffnesses keep their values beyond"),
         begins=(
-            LevelSpec(),
+            BeginSpec((TermSpec(1.0),), (), ()),
+            BeginSpec((TermSpec(1.0, powers=(("stiffness", 0, 1),)),), (TermSpec(1.0, powers=(("damping", 0, 1),)),), ()),
         ),
         arguments=(
             ArgumentSpec("deflection", unit="m"),
@@ -6331,7 +6334,8 @@ LAWS: dict[str, LawSpec] = {
             ),
         },
         begins=(
-            LevelSpec(),
+            BeginSpec((TermSpec(1.0),), (), ()),
+            BeginSpec((TermSpec(1.0, powers=(("stiffness", 0, 1),)),), (TermSpec(1.0, powers=(("damping", 0, 1),)),), ()),
         ),
         arguments=(
             ArgumentSpec("deflection", unit="m"),
@@ -6698,8 +6702,8 @@ LAWS: dict[str, LawSpec] = {
             ),
         },
         begins=(
-            LevelSpec(parameter="low"),
-            LevelSpec(parameter="high"),
+            BeginSpec((TermSpec(1.0),), (), (TermSpec(-1.0, powers=(("low", 0, 1),)),)),
+            BeginSpec((TermSpec(1.0),), (), (TermSpec(-1.0, powers=(("high", 0, 1),)),)),
         ),
         arguments=(
             ArgumentSpec("e"),

@@ -16,6 +16,7 @@ from flexel.derive.declare.checks import (
 )
 from flexel.derive.declare.constants import Parameter
 from flexel.derive.declare.symbols import TIME, symbol
+from flexel.derive.declare.winding import Term, terms_of
 from flexel.derive.definition_errors import ElementError
 
 
@@ -84,8 +85,8 @@ class Law:
     limit : Limit, optional
         The limit of its data.
     begins : tuple of Expr, optional
-        Values of the first deformation at which the law begins to act: parameters, components of them, or zero. Steps
-        of explicit methods end there.
+        What is zero where the law begins to act, such as e - gap: linear in the first deformation and its rate, with
+        sums of products of parameters as coefficients. Steps of explicit methods end there.
     units : tuple of str, (m + k,), optional
         Units of the deformations and slips; empty text for one of any unit.  None are given by default.
 
@@ -137,12 +138,8 @@ class Law:
             raise ElementError(
                 f"{owner}: the limit {self.limit.parameter} is not one of its parameters; declare it"
             )
-        strange = [at for at in self.begins if at != 0 and at not in self.parameter_symbols]
-        if strange or (self.begins and not self.e):
-            raise ElementError(
-                f"{owner}: it begins to act where its first deformation is zero or one of its parameters, not "
-                f"{strange[0] if strange else 'without a deformation'}; correct begins"
-            )
+        for expr in self.begins:
+            begin_terms(self, expr)
         self._check_expressions(owner, symbols)
 
     def _check_names(self, owner: str) -> None:
@@ -195,3 +192,22 @@ class Law:
     def parameter_symbols(self) -> tuple[Symbol, ...]:
         """All parameters, flattened in declared order."""
         return tuple(s for p in self.parameters for s in p.symbols)
+
+
+def begin_terms(law: Law, expr: Expr) -> tuple[tuple[Term, ...], ...]:
+    """Return the coefficients of the first deformation and of its rate, and the rest, of one of `Law.begins`.
+
+    Raises
+    ------
+    ElementError
+        It is not linear in them, or a coefficient is not a sum of products of parameters.
+    """
+    owner = f"{law.owner}: begins"
+    form = sp.Poly(expr, law.e[0], law.ed[0]) if law.e else None
+    if form is None or form.total_degree() != 1:
+        raise ElementError(
+            f"{owner} {expr} is not linear in its first deformation and the rate of that; give what is zero where it "
+            "begins to act, such as e - gap"
+        )
+    parts = (form.coeff_monomial(law.e[0]), form.coeff_monomial(law.ed[0]), form.coeff_monomial(1))
+    return tuple(terms_of(part, law.parameters, owner) for part in parts)

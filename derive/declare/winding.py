@@ -49,7 +49,12 @@ def check_period(owner: str, d: Deformation, let: Lets, parameters: tuple[Parame
 
 
 def period_terms(d: Deformation, parameters: tuple[Parameter, ...]) -> tuple[Term, ...]:
-    """Return the period as a sum: the number of each term, with its powers (parameter, component, exponent).
+    """Return the period as a sum of products; see `terms_of`."""
+    return terms_of(sp.sympify(d.period or 0), parameters, f"deformation '{d.name}': the period")
+
+
+def terms_of(expr: Expr, parameters: tuple[Parameter, ...], owner: str) -> tuple[Term, ...]:
+    """Return a formula of parameters as a sum: of each term the number and the powers (parameter, component, exponent).
 
     Raises
     ------
@@ -57,7 +62,7 @@ def period_terms(d: Deformation, parameters: tuple[Parameter, ...]) -> tuple[Ter
         It is not a sum of products of integer powers of parameters.
     """
     where = {s: (p.name, i) for p in parameters for i, s in enumerate(p.symbols)}
-    whole = sp.expand(sp.sympify(d.period or 0))
+    whole = sp.expand(expr)
     terms = []
     for term in sp.Add.make_args(whole) if whole != 0 else ():
         number, powers = sp.S.One, []
@@ -69,8 +74,8 @@ def period_terms(d: Deformation, parameters: tuple[Parameter, ...]) -> tuple[Ter
                 powers.append((*where[base], int(exponent)))
             else:
                 raise ElementError(
-                    f"deformation '{d.name}': the period {d.period} is not a sum of products of whole powers of "
-                    "parameters; give such a sum, with a separate parameter for the rest"
+                    f"{owner} {expr} is not a sum of products of whole powers of parameters; give such a sum, with a "
+                    "separate parameter for the rest"
                 )
         terms.append((float(number), tuple(sorted(powers))))
     return tuple(sorted(terms, key=lambda term: (term[1], term[0])))

@@ -3,18 +3,19 @@
 from sympy import Expr
 
 from flexel.derive.declare import TIME, Deformation, Element, Law, Parameter
+from flexel.derive.declare.law import begin_terms
 from flexel.derive.declare.output import ValidRange
 from flexel.derive.declare.winding import period_terms
 from flexel.derive.declare.words import ARMS, MATRIX_SIGNS
 from flexel.derive.program.kernel_outputs import Derived
 from flexel.derive.spec import (
     ArgumentSpec,
+    BeginSpec,
     DeformationSpec,
     ElementSpec,
     InternalSpec,
     KernelSpec,
     LawSpec,
-    LevelSpec,
     LimitSpec,
     NodeSpec,
     OutputSpec,
@@ -55,7 +56,7 @@ def law_spec(law: Law, derived: Derived, digest: str) -> LawSpec:
         parameters=_parameters(law.parameters),
         kernels=_kernels(derived),
         limit=_limit(law),
-        begins=tuple(LevelSpec(*_component(law, at)) if at != 0 else LevelSpec() for at in law.begins),
+        begins=tuple(_begin(law, expr) for expr in law.begins),
         arguments=_arguments(law),
         timed=_is_timed(law),
     )
@@ -79,13 +80,14 @@ def _arguments(law: Law) -> tuple[ArgumentSpec, ...]:
 
 
 def _limit(law: Law) -> LimitSpec | None:
-    return None if law.limit is None else LimitSpec(*_component(law, law.limit.parameter), law.limit.beyond)
+    if law.limit is None:
+        return None
+    (found,) = (p for p in law.parameters if law.limit.parameter in p.symbols)
+    return LimitSpec(found.name, found.symbols.index(law.limit.parameter), law.limit.beyond)
 
 
-def _component(law: Law, component: Expr) -> tuple[str, int]:
-    """Return the parameter and the place in it of one of a law's parameters' components."""
-    (found,) = (p for p in law.parameters if component in p.symbols)
-    return found.name, found.symbols.index(component)
+def _begin(law: Law, expr: Expr) -> BeginSpec:
+    return BeginSpec(*(tuple(TermSpec(*term) for term in terms) for terms in begin_terms(law, expr)))
 
 
 def _sign(parameter: Parameter) -> tuple[str, ...]:

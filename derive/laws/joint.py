@@ -51,7 +51,7 @@ def _limits() -> Law:
         sigma=(k * (above * sp.Max(0, 1 + loss) - below * sp.Max(0, 1 - loss)),),
         tau=(),
         energy=k * (above**2 + below**2) / 2,
-        begins=(LOW.symbol, HIGH.symbol),
+        begins=(e - LOW.symbol, e - HIGH.symbol),
         source=_CONTACT,
     )
 

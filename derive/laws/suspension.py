@@ -73,7 +73,7 @@ def _stop() -> Law:
         sigma=(k.symbol * depth * Max(0, 1 + d.symbol * ed),),
         tau=(),
         energy=k.symbol * depth**2 / 2,
-        begins=(gap.symbol,),
+        begins=(e - gap.symbol,),
         source="Hunt and Crossley 1975, J. Appl. Mech. 42:440, exponent one",
     )
 

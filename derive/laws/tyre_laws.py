@@ -25,6 +25,9 @@ SIDE_SLIPS = (FORWARD, SIDEWAYS, LATERAL, SPIN)
 UNITS = {PRESS: "m", CAMBER: "rad", FORWARD: "m/s", SIDEWAYS: "m/s", ROLLING: "rad/s"}
 UNITS |= {LONGITUDINAL: "m/s", LATERAL: "m/s", SPIN: "rad/s"}
 
+# The load is zero where the tyre is lifted, and before, where it is unloaded faster than its damper lets it expand.
+BEGINS = (PRESS, STIFFNESS.symbol * PRESS + DAMPING.symbol * PRESS_RATE)
+
 _LOAD_DOC = "Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0"
 _SIDE_DOC = (
     f"{_LOAD_DOC}\n"
@@ -74,7 +77,7 @@ def _side_law(
         sigma=(Fz, Rational(0)),
         tau=(Rational(0), Rational(0), -fade * Fy, -fade * Mz),
         energy=energy,
-        begins=(Rational(0),),
+        begins=BEGINS,
         source=source,
         let=let.entries,
         limit=limit,
@@ -95,7 +98,7 @@ def _vertical() -> Law:
         sigma=(Fz,),
         tau=(),
         energy=energy,
-        begins=(Rational(0),),
+        begins=BEGINS,
         source="point-contact tyre with lift-off",
         let=let.entries,
         units=_units(PRESS),
@@ -229,7 +232,7 @@ def _magic_formula() -> Law:
         sigma=(Fz, zero),
         tau=(zero, zero, -Fx, -Fy, arm * Fy),
         energy=energy,
-        begins=(Rational(0),),
+        begins=BEGINS,
         source="Pacejka, Tyre and Vehicle Dynamics, similarity method and single contact point transient model",
         states=states,
         let=let.entries,

@@ -144,7 +144,8 @@ class Dop853(MinimalRun):
                 exact = trusted and self._exact(defect)
                 if exact and not (c.changed and (self._rough() or self._poor())):
                     trials -= 1
-                    until = self.touching.until(self.now, s.choice.work.e, h) if trials > 0 else 0.0
+                    seen = self.touching.rows.size and trials > 0
+                    until = self.touching.until(self.now, s.end(t1)) if seen else 0.0
                     if until <= shortest:
                         break
                     self._h = until

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
+
 import numpy as np
+from scipy.optimize import brentq
 
 from flexel.base.arrays import Array, Index
+from flexel.derive.spec import TermSpec
 from flexel.engine.contact_selection import every_gap
 from flexel.engine.tables import Tables
 from flexel.model.snapshot import Snapshot
@@ -19,7 +23,7 @@ TRIALS = 8  # of one step
 
 
 class TouchingContacts:
-    """Finds where a gap changes its sign within a step, or a deformation passes the level at which a law begins to act.
+    """Finds where a gap changes its sign within a step, or what is zero where a law begins to act (`Law.begins`).
 
     The estimates of the error of a step hold for smooth forces.  Those of a contact have a finite order at the
     instant at which it begins or ends, and the error may be much larger than the estimate.  So a step ends there.
@@ -31,58 +35,61 @@ class TouchingContacts:
     Attributes
     ----------
     rows : ndarray of int (k,)
-        Deformations that are gaps, or at a value of which a law begins to act.
-    levels : ndarray (k,)
-        Their values where a contact begins.
+        Deformations that are gaps, or with which laws begin to act.
+    value, rate, rest : ndarray (k,)
+        value e + rate e' + rest is zero there.
     """
 
     def __init__(self, tables: Tables) -> None:
         gaps = every_gap(tables)
-        found = [(gaps, np.zeros(gaps.size)), *_levels(tables)]
-        self.rows: Index = np.concatenate([rows for rows, _ in found])
-        self.levels: Array = np.concatenate([levels for _, levels in found])
+        still = np.zeros(gaps.size)
+        found = [(gaps, still + 1.0, still, still), *_begins(tables)]
+        self.rows: Index = np.concatenate([rows for rows, *_ in found])
+        self.value, self.rate, self.rest = (
+            np.concatenate(part) for part in list(zip(*found, strict=True))[1:]
+        )
 
-    def until(self, first: Snapshot, e: Array, h: float) -> float:
+    def until(self, first: Snapshot, last: Snapshot) -> float:
         """Return the step [s] up to the first contact that begins or ends within a step; zero if there is none.
 
         Parameters
         ----------
-        first : Snapshot
-            At the beginning of the step.
-        e : ndarray
-            Deformations at its end.
-        h : float
-            Its length [s].
+        first, last : Snapshot
+            At its ends.
         """
-        if not self.rows.size:
-            return 0.0
-        g0, g1 = first.e[self.rows] - self.levels, e[self.rows] - self.levels
-        r0 = first.ed[self.rows]
-        shares = [
-            _root(*(float(v) for v in gap))
-            for gap in zip(g0, h * r0, g1 - g0 - h * r0, strict=True)
-            if gap[0] * (gap[0] + gap[1] + gap[2]) < 0
-        ]
+        h = last.t - first.t
+        e, r0, r1 = first.e[self.rows], h * first.ed[self.rows], h * last.ed[self.rows]
+        rise = last.e[self.rows] - e
+        a, b = 3 * rise - 2 * r0 - r1, r0 + r1 - 2 * rise  # e + r0 s + a s² + b s³ for the part s of the step
+        own, along = self.value, self.rate / h
+        g = np.array(
+            [own * b, own * a + 3 * along * b, own * r0 + 2 * along * a, own * e + along * r0 + self.rest]
+        )
+        crossed = np.flatnonzero(g[3] * (((g[0] + g[1]) + g[2]) + g[3]) < 0)
+        shares = [float(brentq(_cubic, 0.0, 1.0, args=tuple(g[:, i].tolist()))) for i in crossed]
         share = min((s for s in shares if s > CLOSE), default=1.0)
         return h * (share + BEYOND) if share < 1 - CLOSE else 0.0
 
 
-def _levels(tables: Tables) -> list[tuple[Index, Array]]:
-    """Return the deformations of laws that begin to act at a value of theirs, and these values."""
-    found = []
+def _begins(tables: Tables) -> Iterator[tuple[Index, Array, Array, Array]]:
+    """Yield the first deformations of laws that begin to act somewhere, and the coefficients of what is zero there."""
     for batch, p in zip(tables.laws, tables.parameters[1], strict=True):  # p: the parameters of a variant
         components = [(q.name, component) for q in batch.spec.parameters for component in range(q.size)]
-        for level in batch.spec.begins:
+        for begin in batch.spec.begins:
             rows = batch.places["e"][:, 0]
             values = np.swapaxes(p, 1, 2).reshape(-1, p.shape[1])[: rows.size]
-            known = level.parameter, level.component
-            at = values[:, components.index(known)] if level.parameter else np.zeros(rows.size)
-            found.append((rows, at))
+            columns = dict(zip(components, values.T, strict=True))
+            yield rows, *(_sum(terms, columns, rows.size) for terms in (begin.value, begin.rate, begin.rest))
+
+
+def _sum(terms: Sequence[TermSpec], columns: dict[tuple[str, int], Array], size: int) -> Array:
+    """Return a sum of products of parameters, whose values (size,) are in columns."""
+    found = np.zeros(size)
+    for term in terms:
+        powers = [columns[name, component] ** n for name, component, n in term.powers]
+        found += term.factor * np.prod(powers, axis=0)
     return found
 
 
-def _root(g: float, rate: float, bend: float) -> float:
-    """Find the first zero between 0 and 1 of g + rate s + bend s², which has opposite signs there."""
-    q = -(rate + np.copysign(np.sqrt(max(rate * rate - 4 * bend * g, 0.0)), rate)) / 2
-    roots = [g / q if q else 1.0, q / bend if bend else 1.0]
-    return float(min((s for s in roots if 0 < s <= 1), default=1.0))
+def _cubic(s: float, a: float, b: float, c: float, d: float) -> float:
+    return ((a * s + b) * s + c) * s + d

@@ -21,6 +21,7 @@ SURER = 10.0  # times better than the bound must references agree
 PERTURBATION = 1e-7  # of a degree of freedom and of its rate, relative to their ranges
 SATURATED = 0.1  # of a range: a perturbation that becomes larger than this no longer grows as small ones do
 STILL = 1e-12  # of the largest value or range of its kind: a quantity that moves less is still
+EPSILON, LOOKS = np.finfo(float).eps, 20  # of rounding; states at which its effect is computed
 DEFAULT, IMPLICIT = 1e-9, 1e-6  # tolerances that the methods promise, if none is given
 CHOSEN = re.compile(r"\((DOP853|Radau|generalized-alpha), chosen because")
 LOOSE = re.compile(r"at rtol = ([0-9.e+-]+);")
@@ -201,13 +202,46 @@ def references(
 
 def judge(found: fx.Motion, known: References, rtol: float) -> Judgement:
     """Hold a motion against its references."""
-    return judged(*map(histories, (found, known.first, known.second, known.perturbed)), rtol)
+    motions = found, known.first, known.second, known.perturbed
+    return judged(*map(histories, motions), rtol, rounding(known.first))
+
+
+def rounding(motion: fx.Motion) -> Array:
+    """Errors (n,) that rounding in the conditions of positions makes in quantities of `histories`, at some states.
+
+    Near flat positions a condition hardly depends on coordinates, and they are known to so much less.  Rates follow
+    from conditions whose derivatives have these errors.
+    """
+    system, s = motion._system, motion.structure
+    assert system is not None
+    coordinates = s.m + s.k + np.arange(s.nf)
+    free = np.setdiff1d(np.arange(s.m), motion[0].roles.rigid)
+    found = np.zeros((2, s.nf))
+    deformed = np.zeros(free.size)
+    for state in motion[:: max(1, len(motion) // LOOKS)]:
+        kinematics = system.kinematics_of(state.roles)
+        choice = kinematics.given(state.t)
+        choice.reset()
+        choice.work.x[:], choice.work.unwrap_from[:] = state.x, state.e
+        choice.work.position()
+        choice.factorize()
+        sensitivity, scales = choice.sensitivity(), kinematics.scales(coordinates)
+        fastest = float(np.max(np.abs(state.v[: s.nf]) / scales, initial=0.0))
+        off = EPSILON * sensitivity * np.array([1.0, sensitivity * fastest])
+        found = np.maximum(found, off[:, None] * scales)
+        deformed = np.maximum(deformed, off[0] * kinematics.scales(free))
+    return np.concatenate([*found, deformed, np.zeros(len(s.internal))])
 
 
 def judged(
-    found: Histories, reference: Histories, second: Histories, perturbed: Histories, rtol: float
+    found: Histories,
+    reference: Histories,
+    second: Histories,
+    perturbed: Histories,
+    rtol: float,
+    rounded: Array | float = 0.0,
 ) -> Judgement:
-    """Errors of histories; `perturbed` are those of the reference from a perturbed start."""
+    """Errors of histories; `perturbed` is the reference from a perturbed start, `rounded` has errors of rounding."""
     ranges, moving = reference.ranges, reference.moving
     safe = np.where(moving, ranges, 1.0)
 
@@ -218,7 +252,9 @@ def judged(
 
     grown = off(perturbed)
     growth = np.maximum(grown / PERTURBATION, 1.0)
-    doubts = np.where(grown > SATURATED, np.inf, off(second))  # the growth is not known
+    doubts = np.where(
+        grown > SATURATED, np.inf, np.maximum(off(second), rounded / safe)
+    )  # the growth is not known
     return Judgement(reference.names, off(found), FACTOR * rtol * growth, growth, doubts, moving)
 
 

@@ -1,5 +1,6 @@
 """What a page says of its element beside the mathematics: words from small vocabularies, periods, spans."""
 
+import dataclasses
 from typing import Any
 
 import pytest
@@ -15,7 +16,6 @@ from flexel.derive.declare import (
     PlanarPoint,
 )
 from flexel.derive.declare.words import FAMILIES, PICTURES, SIGNS
-from flexel.derive.spec import DeformationSpec, TermSpec, triangle
 from flexel.derive.verify import definitions
 from flexel.generated.table import ELEMENTS as TABLE
 from flexel.generated.table import LAWS as LAW_TABLE
@@ -103,65 +103,24 @@ def test_a_limit_is_a_parameter_of_its_law() -> None:
         type(law)(**{**vars(law), "limit": Limit(sp.Symbol("x"), "nothing")})
 
 
-def test_a_law_begins_to_act_at_a_parameter_or_at_zero() -> None:
+def test_a_law_begins_to_act_where_a_linear_form_is_zero() -> None:
     begins = {
-        law.name: [(at.parameter, at.component) for at in law.begins]
+        law.name: [tuple(begin) for begin in map(dataclasses.astuple, law.begins)]
         for law in LAW_TABLE.values()
         if law.begins
     }
+    one = ((1.0, ()),)
+    pressed = [(one, (), ()), (((1.0, (("stiffness", 0, 1),)),), ((1.0, (("damping", 0, 1),)),), ())]
     tyres = ("vertical_tyre", "linear_tyre", "calspan_tyre", "magic_formula")
-    assert begins == {"stop": [("gap", 0)], "limits": [("low", 0), ("high", 0)]} | dict.fromkeys(
-        tyres, [("", 0)]
+    level = {name: (one, (), ((-1.0, ((name, 0, 1),)),)) for name in ("gap", "low", "high")}
+    assert begins == {"stop": [level["gap"]], "limits": [level["low"], level["high"]]} | dict.fromkeys(
+        tyres, pressed
     )
+
+
+@pytest.mark.parametrize("expr", ["x", "e**2", "gap", "e*ed", "e - cos(gap)"])
+def test_another_beginning_of_a_law_is_refused(expr: str) -> None:
     law = definitions()["law_stop"]
-    with pytest.raises(
-        ValueError, match="law 'stop': it begins to act where .* one of its parameters, not x; correct"
-    ):
-        type(law)(**{**vars(law), "begins": (sp.Symbol("x"),)})
-
-
-# -- what winds
-
-
-def test_an_angle_whose_cut_reaches_a_deformation_needs_a_period() -> None:
-    with pytest.raises(ValueError, match=r"element 'own': deformation 'd' jumps .* its cut; give .*period="):
-        element(Deformation("d", "rad", theta - q.x[0]))
-    element(Deformation("d", "rad", theta - q.x[0], period=2 * sp.pi))
-
-
-def test_a_period_that_is_not_the_jump_is_refused() -> None:
-    h0, h1 = h.symbols
-    with pytest.raises(
-        ValueError, match="element 'own': deformation 'd' jumps by .* not a whole number of the period"
-    ):
-        element(Deformation("d", "m", q.x[0] - h0 * theta, period=2 * sp.pi * h1))
-    element(Deformation("d", "m", q.x[0] - h0 * theta, period=2 * sp.pi * h0))
-    element(Deformation("d", "m", q.x[0] - 3 * h0 * theta, period=2 * sp.pi * h0))
-
-
-def test_an_angle_inside_a_periodic_function_or_away_from_its_cut_needs_none() -> None:
-    element(Deformation("d", "m", r - h.symbols[0] * sp.cos(theta - q.x[0])))
-    element(Deformation("d", "rad", sp.atan2(p.x[1], sp.sqrt(1 + p.x[0] ** 2)) - q.x[0]))
-    element(Deformation("d", "rad", sp.atan2(p.x[1], r) - q.x[0]))
-    element(Deformation("d", "rad", theta - q.x[0], period=0))
-
-
-def test_a_period_is_a_sum_of_products_of_parameters() -> None:
-    with pytest.raises(
-        ValueError, match="the period .* is not a sum of products of whole powers of parameters"
-    ):
-        element(Deformation("d", "rad", q.x[0], period=sp.sqrt(h.symbols[0])))
-    with pytest.raises(ValueError, match="the period of 'd' contains q_angle"):
-        element(Deformation("d", "rad", q.x[0], period=q.x[0]))
-
-
-def test_the_runtime_finds_a_period_without_sympy() -> None:
-    terms = (TermSpec(2.0, (("h", 0, 1), ("h", 1, -1))), TermSpec(-1.0, (("a", 0, 1),)))
-    spec = DeformationSpec("d", "m", True, terms)
-    assert spec.repeats({"h": (3.0, 2.0), "a": [1.0]}) == 2.0
-    assert spec.repeats({"h": (3.0, 2.0), "a": [4.0]}) == 1.0  # whatever the sign
-    assert spec.repeats({"h": (3.0, 2.0), "a": [3.0 * (1 + 1e-15)]}) == 0.0  # a difference that is rounding
-
-
-def test_a_triangle_has_so_many_rows() -> None:
-    assert [triangle(n) for n in range(1, 11)] == [1, None, 2, None, None, 3, None, None, None, 4]
+    names = {s.name: s for s in (law.e[0], law.ed[0], *law.parameter_symbols)}
+    with pytest.raises(ValueError, match="law 'stop': begins .* (is not linear in|is not a sum of products)"):
+        type(law)(**{**vars(law), "begins": (sp.sympify(expr, names),)})
