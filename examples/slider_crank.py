@@ -176,7 +176,7 @@ def nonlinear(speed: float, elements: int = 2, zeta: float = 0.02, **options: bo
 def transient(zeta: float, elements: int = CONVERGED, second_order: bool = True) -> fx.Motion:
     """Simulate from the straight rod at 150 rad/s, with the velocities of a rigid rod."""
     system = slider_crank(data.SPEED, elements, zeta, second_order)
-    return system.simulate(SECONDS, times=TIMES, method="LSODA", rtol=1e-6, atol=1e-9, progress=False)
+    return system.simulate(SECONDS, times=TIMES, method="Radau", rtol=1e-6, atol=1e-9, progress=False)
 
 
 def family(

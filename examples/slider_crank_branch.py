@@ -129,7 +129,7 @@ def simulated(branch: fx.PeriodicBranch, zeta: float, speed: float) -> Array:
 def off_simulation(system: fx.System, solution: fx.PeriodicSolution, elements: int = CONVERGED) -> float:
     """Return the largest difference of the deflection after 1 to 5 simulated turns, over the largest deflection."""
     run = system.simulate(
-        5 * solution.period, start=solution.motion[0], samples=6, method="LSODA", rtol=1e-8, atol=1e-11
+        5 * solution.period, start=solution.motion[0], samples=6, method="Radau", rtol=1e-8, atol=1e-11
     )
     series = deflection(solution.motion, elements)
     return float(np.abs(deflection(run, elements) - series[0]).max()) / largest(series)

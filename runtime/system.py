@@ -205,7 +205,10 @@ class CoreSystem:
         return callbacks_of(self.structure.laws)
 
     def rhs(self, t: float, y: Array) -> Array:
-        """Return the rates of y = (q_d, q_k, q_d', z) (nq + nd + nz,) at time t [s]."""
+        """Return the rates of y = (q_d, q_k, q_d', z) (nq + nd + nz,) at time t [s], for integrators of other programs.
+
+        The search for the position starts from that of the last call, or of `warm`.
+        """
         if type(t) is not float or not -LARGEST <= t <= LARGEST:
             t = number(t, "rhs", "time t")
         choice = self.kinematics.given(t)

@@ -41,8 +41,8 @@ CALLS_DERIVE = (
     "parts/elements.py",
 )
 # What makes an import slow, or is an extra that may be absent: inside functions only.
-PEERS = {"bicycleparameters", "exudyn", "mujoco", "pinocchio", "symbrim"}  # of the bench
-LAZY = {"sympy", "jinja2", "matplotlib", "xarray", "h5netcdf", "pandas", "control", "sksundae"}
+PEERS = {"bicycleparameters", "exudyn", "mujoco", "pinocchio", "sksundae", "symbrim"}  # of the bench
+LAZY = {"sympy", "jinja2", "matplotlib", "xarray", "h5netcdf", "pandas", "control"}
 LAZY |= {"joblib", "cloudpickle", "dask", "distributed"} | PEERS
 # Programs as users write them: nothing imports them.
 PROGRAMS = "examples/gallery/"

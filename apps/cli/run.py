@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from flexel.parts.model import Model
     from flexel.results.motion import Motion
 
-METHODS = ("auto", "DOP853", "RK45", "LSODA", "Radau", "BDF", "generalized-alpha", "sundials")
+METHODS = ("auto", "DOP853", "Radau", "generalized-alpha")
 FORMATS = ("npz", "nc", "mat", "csv")
 
 

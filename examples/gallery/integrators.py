@@ -21,7 +21,6 @@ end = chain.points[-1].name
 exact = s.simulate(2, rtol=1e-12, atol=1e-14).position(end)[-1]
 cases = {
     "DOP853": (1e-4, 1e-6, 1e-8, 1e-10),
-    "RK45": (1e-4, 1e-6, 1e-8),
     "Radau": (1e-4, 1e-6, 1e-8),
     "generalized-alpha": (1e-4, 1e-6, 1e-8),
 }

@@ -24,7 +24,7 @@ from flexel.results.ensemble import Ensemble
 from flexel.system import CoreSystem
 
 OPTIONS = (
-    "method", "rtol", "atol", "step", "first_step", "max_step", "spectral_radius", "newton", "max_order", "rechoose"
+    "method", "rtol", "atol", "step", "first_step", "max_step", "spectral_radius", "newton", "rechoose"
 )  # fmt: skip
 
 

@@ -18,7 +18,7 @@ from flexel.integration.driver import Run
 from flexel.integration.events import Event
 from flexel.integration.outcome import Integration, from_start
 from flexel.integration.simulation import audited_run, explained, planned
-from flexel.integration.stiffness import Watch
+from flexel.integration.stiffness import EXPLICIT, Watch
 from flexel.model.state import State
 from flexel.results.analyses.checkpoints import Checkpoint
 from flexel.results.interrupted import Interrupted
@@ -44,7 +44,6 @@ def simulate(
     max_step: float = np.inf,
     spectral_radius: float | None = None,
     newton: str | None = None,
-    max_order: int | None = None,
     events: Sequence[Event] = (),
     progress: bool | None = None,
     rechoose: bool | None = None,
@@ -52,10 +51,11 @@ def simulate(
 ) -> Motion:
     """Simulate the motion; if every motion is prescribed, compute positions and driving forces.
 
-    Most methods integrate the degrees of freedom; they locate events and give states at any time (`Motion.at`).
+    DOP853 and Radau integrate the degrees of freedom; they locate events and give states at any time (`Motion.at`).
     The generalized-alpha method integrates all coordinates together with the constraint forces, at a cost per step
     that grows linearly with the number of elements; it is for stiff and large models, and gives the energy balance.
-    A step is halved if it does not converge, and up to a few times where a contact begins.
+    A step is halved if it does not converge, and up to a few times where a contact begins. Other integrators, such as
+    those of ``scipy.integrate.solve_ivp``, can integrate `System.rhs`.
 
     Parameters
     ----------
@@ -63,40 +63,36 @@ def simulate(
         Length of the motion [s].
     start : State, optional
         The initial state by default; without its accelerations if a degree of freedom has no inertia and the
-        method is implicit.
+        method is generalized-alpha.
     times : array_like, optional
         Times [s] at which states are stored, and only these: include the start if it is wanted. By default,
         `samples` equidistant times from the start on.
     samples : int
         Number of stored states.
     method : str
-        In minimal coordinates ("explicit" below): DOP853; Radau, implicit and of order 5 (Radau IIA), for
-        stiff motions that are smooth; RK45, LSODA or BDF of SciPy.  With all coordinates: generalized-alpha;
-        sundials, the backward differentiation formulas of SUNDIALS, for comparison (needs the optional
-        package scikit-sundae).  Or auto: DOP853, unless a trial of both over some steps from the start shows
-        that Radau takes less than half the evaluations (at least 300 radians of the fastest mode, no
-        contacts).  In stiff motions Radau may ignore degrees of freedom and rates that are smaller than its
-        tolerance times the largest ones, and use ``rtol=1e-6``, unless `rtol` is given; where laws call
-        functions of the user it does both, without trials.  A motion is stiff if the largest eigenvalue of
-        the linearized start times the duration exceeds 3e4 (900 000 divided by the number of degrees of
-        freedom where these are more than 30), and 100 times the radians that any method must follow (those of
-        modes whose amplitude at the start exceeds a twentieth of the motion or that are unstable, of
-        rotations, and knots of tables), and counts as stiff above 300 degrees of freedom, where no
-        eigenvalues are computed.  Generalized-alpha remains for stiff motions with contacts, if a degree of
-        freedom has no inertia, above 1000 degrees of freedom, and above 300 with kinematic coordinates or
-        internal states.  ``motion.message`` reports the choice and the reason.
+        In minimal coordinates: DOP853, explicit and of order 8; Radau, implicit and of order 5 (Radau IIA), for
+        stiff motions that are smooth.  With all coordinates: generalized-alpha.  Or auto: DOP853, unless a
+        trial of both over some steps from the start shows that Radau takes less than half the evaluations (at
+        least 300 radians of the fastest mode, no contacts).  In stiff motions Radau may ignore degrees of
+        freedom and rates that are smaller than its tolerance times the largest ones, and use ``rtol=1e-6``,
+        unless `rtol` is given; where laws call functions of the user it does both, without trials.  A motion is
+        stiff if the largest eigenvalue of the linearized start times the duration exceeds 3e4 (900 000 divided
+        by the number of degrees of freedom where these are more than 30), and 100 times the radians that any
+        method must follow (those of modes whose amplitude at the start exceeds a twentieth of the motion or
+        that are unstable, of rotations, and knots of tables), and counts as stiff above 300 degrees of freedom,
+        where no eigenvalues are computed.  Generalized-alpha remains for stiff motions with contacts, if a
+        degree of freedom has no inertia, above 1000 degrees of freedom, and above 300 with kinematic
+        coordinates or internal states.  ``motion.message`` reports the choice and the reason.
     rtol : float, optional
-        Local error in one step: explicit, relative to each variable (Radau: to its largest value so far; DOP853: of
-        a degree of freedom, to the largest range of a coordinate in this motion so far if that is less), 1e-9 by
-        default; generalized-alpha, of the coordinates relative to the largest range of a coordinate in this motion
-        so far, in natural scales and at most 1, and of internal states relative to their ranges, 1e-6; sundials,
-        relative to each coordinate and rate, 1e-6.
+        Local error in one step: DOP853 and Radau, relative to each variable (Radau: to its largest value so far;
+        DOP853: of a degree of freedom, to the largest range of a coordinate in this motion so far if that is less),
+        1e-9 by default; generalized-alpha, of the coordinates relative to the largest range of a coordinate in this
+        motion so far, in natural scales and at most 1, and of internal states relative to their ranges, 1e-6.
     atol : float or array_like, optional
         Absolute local error in natural scales (the size of the model for lengths, one for the rest, the same
-        per second for rates): explicit, 1e-11 by default (DOP853: less in small motions, down to rounding),
-        or one for each of (q, q_d', z) if these stay the same (rechoose=False); generalized-alpha, always
-        allowed for coordinates, whatever `rtol` is, zero by default; for sundials, the value from `rtol` by
-        default.
+        per second for rates): DOP853 and Radau, 1e-11 by default (DOP853: less in small motions, down to
+        rounding), or one for each of (q, q_d', z) if these stay the same (rechoose=False); generalized-alpha,
+        always allowed for coordinates, whatever `rtol` is, zero by default.
     step : float, optional
         For generalized-alpha: constant step [s] instead of step control by the tolerances, whatever `samples` and
         `times` are; states between its multiples are found by a shorter step each.  A step is shorter only at the end,
@@ -109,14 +105,12 @@ def simulate(
     newton : str, optional
         For generalized-alpha: full (default), a new tangent at every iteration; modified, the last one is kept
         while the iteration converges.
-    max_order : int, optional
-        For sundials, 1 to 5, by default 2; higher orders are slow on structures with little damping.
     events : sequence of Event
-        For explicit methods.
+        For DOP853 and Radau.
     progress : bool, optional
         Progress bar on stderr; by default where stderr is a terminal.
     rechoose : bool, optional
-        For explicit methods: change the degrees of freedom where others are much better; yes by default.
+        For DOP853 and Radau: change the degrees of freedom where others are much better; yes by default.
         `Motion.rechoices` lists the changes.
     checkpoint : str or Path, optional
         A file (.npz, .nc, .mat or .csv) for the motion so far, written about every 30 s, and at the end. If a run
@@ -143,9 +137,9 @@ def simulate(
     Warns
     -----
     StiffWarning
-        If an explicit method turns out to need many thousands of steps because the system is stiff.
+        If DOP853 turns out to need many thousands of steps because the system is stiff.
     DampingWarning
-        If an implicit method has removed more than 1 % of the energy of the motion: the larger of its kinetic
+        If generalized-alpha has removed more than 1 % of the energy of the motion: the larger of its kinetic
         energy and what was dissipated and supplied. ``motion.warnings`` and ``motion.message`` keep the
         warning.
     AuditWarning
@@ -160,12 +154,7 @@ def simulate(
     if progress is not None:  # a checkpoint may hold the whole motion: no integrator checks it then
         flag(progress, "simulate", "progress")
     given: dict[str, Any] = {"rtol": rtol, "atol": atol, "step": step, "first_step": first_step}
-    given |= {
-        "max_step": max_step,
-        "spectral_radius": spectral_radius,
-        "newton": newton,
-        "max_order": max_order,
-    }
+    given |= {"max_step": max_step, "spectral_radius": spectral_radius, "newton": newton}
     method, why, begin, grid, options = planned(
         system,
         duration,
@@ -189,7 +178,7 @@ def simulate(
     log.info("t = %g to %g s by %s", begin.t, grid[-1], why or method)
     ahead = from_start(begin, grid[grid >= begin.t])
     run = methods.run_of(system, method, begin, ahead, float(duration), options)
-    watch = Watch(system, method) if method in methods.WATCHED else None
+    watch = Watch(system) if method == EXPLICIT else None
     try:
         found = run.run(progress, _each(keeper, watch))
     except FlexelError as error:

@@ -6,7 +6,6 @@ from collections import deque
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.integrate import RK45
 from scipy.integrate._ivp import dop853_coefficients as tableau
 
 from flexel.base.arrays import Array
@@ -40,13 +39,14 @@ class Quadrature:
     end: int
 
 
-def _of_dop853() -> Quadrature:
+def of_dop853() -> Quadrature:
+    """Return the formulas of DOP853."""
     B, E5, E3 = (np.ascontiguousarray(z, dtype=float) for z in (tableau.B, tableau.E5, tableau.E3))
     return Quadrature(B, E5, E3, 0, 12)
 
 
-def _of_radau() -> Quadrature:
-    """Compare with the formulas of the start and the first two stages, and of the start and the end."""
+def of_radau() -> Quadrature:
+    """Return those of Radau, compared with that of the start and the first two stages, and of the start and the end."""
     places = np.append(NODES, 0.0)
     own = np.append(WEIGHTS[2], 0.0)
     fine, rough = own.copy(), own.copy()
@@ -55,31 +55,10 @@ def _of_radau() -> Quadrature:
     return Quadrature(WEIGHTS[2].copy(), fine, rough, 3, 2)
 
 
-def _of_rk45() -> Quadrature:
-    E = np.ascontiguousarray(RK45.E, dtype=float)
-    return Quadrature(np.ascontiguousarray(RK45.B, dtype=float), E, np.zeros_like(E), 0, 6)
-
-
-def _of_lobatto() -> Quadrature:
-    """Compare with the formula without the middle, and with Simpson's."""
-    places = np.concatenate([[0.0], INNER, [1.0]])
-    own = _interpolating(places)
-    fine, rough = own.copy(), own.copy()
-    for difference, used in ((fine, [0, 1, 3, 4]), (rough, [0, 2, 4])):
-        difference[used] -= _interpolating(places[used])
-    return Quadrature(own, fine, rough, 0, 4)
-
-
 def _interpolating(places: Array) -> Array:
     """Weights with which values at some places give the integral from zero to one of the polynomial through them."""
     powers = np.arange(places.size)
     return np.asarray(np.linalg.solve(places ** powers[:, None], 1 / (powers + 1)))
-
-
-# Of Lobatto's formula of order 8, between the ends: for methods that have no formula over one step alone.
-INNER = 0.5 + np.array([-1.0, 0.0, 1.0]) * np.sqrt(3 / 28)
-QUADRATURES = {"DOP853": _of_dop853(), "Radau": _of_radau(), "RK45": _of_rk45()}
-QUADRATURES |= dict.fromkeys(("BDF", "LSODA"), _of_lobatto())
 
 
 class Account(Struct):
@@ -98,8 +77,6 @@ class Account(Struct):
         c.weights, c.estimate = self.pointer(quadrature.weights), self.pointer(quadrature.estimate)
         c.rough = self.pointer(quadrature.rough)
         self.part()
-        self._next = 0
-        self._last = quadrature.end
         self._bytes = ffi.buffer(self.struct)
         self._noted: deque[tuple[float, bytes]] = deque(maxlen=MOST)
 
@@ -118,27 +95,6 @@ class Account(Struct):
     def part(self) -> None:
         """The energy may differ where the next steps begin: after an impulse, or with other internal states."""
         self.struct.parted = 1
-
-    # -- for methods whose stages are not in C, each of which evaluates the rates once ------------------
-
-    def begin(self) -> None:
-        """Expect the next evaluation at the start of a step, as the first of a new sequence."""
-        self._next = 0
-
-    def first_trial(self) -> None:
-        """Expect the next evaluation at the first stage after the start."""
-        self._next = 1
-
-    def evaluated(self, choice: CoordinateWork) -> None:
-        """Take the powers of the evaluation that was made."""
-        work, c = choice.work.struct, choice.struct
-        if self._next == 0:
-            lib.flexel_account_begin(self.struct, work, c)
-        elif self._next == self._last:
-            lib.flexel_account_end(self.struct, work, c)
-        else:
-            lib.flexel_account_stage(self.struct, work, c, self._next)
-        self._next = self._next % self._last + 1
 
     def accept(self, h: float) -> None:
         """Add the step of length h [s] that was evaluated last."""

@@ -14,7 +14,7 @@ from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError, FlexelError
 from flexel.engine.coordinate_work import CoordinateWork
 from flexel.generated._kernels import lib
-from flexel.integration.account import QUADRATURES
+from flexel.integration.account import of_dop853
 from flexel.integration.branch import REFUSED
 from flexel.integration.dense import UNRELIABLE, Interpolant
 from flexel.integration.dop853_steps import B, Steps
@@ -55,7 +55,7 @@ class Dop853(MinimalRun):
     touching: TouchingContacts
     spare: Steps | None = None
     method = "DOP853"
-    quadrature = QUADRATURES[method]
+    quadrature = of_dop853()
     _h = 0.0
     _tried = 0.0
     _failed = 0

@@ -15,14 +15,12 @@ from flexel.integration.dop853 import Dop853
 from flexel.integration.driver import Run
 from flexel.integration.events import Event
 from flexel.integration.excitation import followed
-from flexel.integration.explicit import METHODS, Scipy
 from flexel.integration.followed import Followed
 from flexel.integration.minimal import MINOR, Tolerances
 from flexel.integration.radau import Radau
 from flexel.integration.radau_saddle import sparse
 from flexel.integration.steps import Control, GeneralizedAlpha
 from flexel.integration.stiffness import ALPHA, EXPLICIT, RADAU, Suitable, few, smooth, stiff, suitable
-from flexel.integration.sundials import Sundials
 from flexel.integration.trial import explicit_evaluations, implicit_evaluations
 from flexel.mechanics.amplification import amplification, lost
 from flexel.mechanics.inertia import InertiaError
@@ -32,15 +30,12 @@ from flexel.model.state import State, own_state
 from flexel.model.structure import Structure
 from flexel.system import CoreSystem
 
-AUTO, SUNDIALS = "auto", "sundials"
-WATCHED = (EXPLICIT, "RK45")  # methods whose steps become short where a system is stiff
+AUTO = "auto"
 _STEPS = frozenset({"rtol", "atol", "first_step", "max_step"})
 _DENSE = _STEPS | {"events", "rechoose"}
 OPTIONS: dict[str, frozenset[str]] = {  # by method; the remaining options apply to all methods
-    AUTO: _DENSE,
-    **dict.fromkeys((EXPLICIT, RADAU, *METHODS), _DENSE),
+    **dict.fromkeys((AUTO, EXPLICIT, RADAU), _DENSE),
     ALPHA: _STEPS | {"step", "spectral_radius", "newton"},
-    SUNDIALS: _STEPS | {"max_order"},
 }
 RTOL, ATOL, IMPLICIT_RTOL = 1e-9, 1e-11, 1e-6
 PER_RADIAN, ORDER = (
@@ -59,7 +54,7 @@ CHEAPER = (
 )
 SOON = 200  # steps after which a motion is linearized if its start cannot be
 LEAST_ATOL = 1e-100  # a smaller value would overflow
-RADIUS, NEWTON, MAX_ORDER = 0.8, "full", 2
+RADIUS, NEWTON = 0.8, "full"
 
 
 @dataclass(frozen=True)
@@ -73,7 +68,6 @@ class Options:
     max_step: Any = None
     spectral_radius: Any = None
     newton: Any = None
-    max_order: Any = None
     events: tuple[Event, ...] | None = None
     rechoose: bool | None = None
     minor: float | None = None  # of Radau, see `Tolerances`; only "auto" sets it
@@ -119,13 +113,13 @@ def check(method: Any, options: Options) -> None:
 
 
 def start_of(system: CoreSystem, method: str, start: Any, options: Options) -> State:
-    """Return the state that a motion starts from; implicit methods need no accelerations."""
+    """Return the state that a motion starts from; generalized-alpha needs no accelerations."""
     if start is not None:
         return own_state(system.structure, start, "simulate")
     try:
         return system.initial
     except InertiaError:
-        if method in (EXPLICIT, RADAU, *METHODS) or options.events:
+        if method in (EXPLICIT, RADAU) or options.events:
             raise
         return system.unaccelerated
 
@@ -240,17 +234,12 @@ def run_of(
     """
     if method == ALPHA:
         return _alpha(system, start, times, duration, options)
-    if method == SUNDIALS:
-        return _sundials(system, start, times, duration, options)
     events, tolerances = options.events or (), _tolerances(system, options)
     if system.roles.nq == 0 and not _has_rates(system.structure):
         return Followed(system, start, times, events)
-    own = _in_own_roles(system, start)
+    kind = Dop853 if method == EXPLICIT else Radau
     rechoose = options.rechoose is not False
-    if method in (EXPLICIT, RADAU):
-        kind = Dop853 if method == EXPLICIT else Radau
-        return kind(system, own, times, tolerances, events, rechoose)
-    return Scipy(system, own, times, method, tolerances, events, rechoose)
+    return kind(system, _in_own_roles(system, start), times, tolerances, events, rechoose)
 
 
 def _tolerances(system: CoreSystem, options: Options) -> Tolerances:
@@ -312,13 +301,3 @@ def _alpha(system: CoreSystem, start: State, times: Array, duration: float, opti
         control = Control(tolerance, options.first or duration / 1000, longest, absolute)
     radius = RADIUS if options.spectral_radius is None else options.spectral_radius
     return GeneralizedAlpha(system, start, times, radius, options.newton or NEWTON, control)
-
-
-def _sundials(system: CoreSystem, start: State, times: Array, duration: float, options: Options) -> Run:
-    """Create a run of IDA."""
-    order = MAX_ORDER if options.max_order is None else options.max_order
-    if order not in range(1, 6):
-        raise ModelError(f"simulate: max_order {order!r} of sundials; give a whole number from 1 to 5")
-    rtol = options.number("rtol", IMPLICIT_RTOL)
-    control = Control(rtol, options.first or 0.0, options.number("max_step", np.inf))
-    return Sundials(system, start, times, duration, control, options.number("atol", rtol), int(order))

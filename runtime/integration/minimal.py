@@ -1,4 +1,4 @@
-"""Forward dynamics in minimal coordinates: what all explicit integrations, and the implicit ones of SciPy, share.
+"""Forward dynamics in minimal coordinates: what DOP853 and Radau share.
 
 Every accepted step is checked for the branch that it is on, and its end for the degrees of freedom: where others are
 much better, the motion continues in them from the same x and v.

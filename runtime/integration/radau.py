@@ -15,7 +15,7 @@ from flexel.engine.coordinate_work import CoordinateWork
 from flexel.engine.covered import Covered
 from flexel.engine.finite import TangentError
 from flexel.generated._kernels import lib
-from flexel.integration.account import QUADRATURES
+from flexel.integration.account import of_radau
 from flexel.integration.branch import REFUSED
 from flexel.integration.jacobian import jacobian
 from flexel.integration.minimal import SHORTEST, MinimalRun
@@ -32,7 +32,7 @@ class Radau(MinimalRun):
     """One run of Radau IIA."""
 
     method = "Radau"
-    quadrature = QUADRATURES[method]
+    quadrature = of_radau()
     steps: Collocation | None = None
     _saddle: SaddleFactors | None = None
     _failed: FlexelError | None = None  # why the last trial failed

@@ -1,9 +1,8 @@
-"""Implicit integration of stiff models: step control and energy balance."""
+"""Runs of the generalized-alpha method: step control and energy balance."""
 
 from __future__ import annotations
 
 import math
-from abc import abstractmethod
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -11,7 +10,7 @@ import numpy as np
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError
 from flexel.integration.alpha import AlphaStepper
-from flexel.integration.balance import Balance, Saddle
+from flexel.integration.balance import Balance
 from flexel.integration.between import Between
 from flexel.integration.contact_watch import ContactWatch
 from flexel.integration.driver import Run
@@ -53,82 +52,16 @@ class Control:
     absolute: float = 0.0
 
 
-class ImplicitRun(Run):
-    """An implicit integration over given times, with its energy balance.
+class GeneralizedAlpha(Run):
+    """One run of the generalized-alpha method, with its energy balance.
 
     Attributes
     ----------
+    stepper : AlphaStepper
     energy_balance : EnergyBalance
     shortest : float
         Step [s] below which it cannot continue.
     """
-
-    def __init__(self, saddle: Saddle, start: State, times: Array) -> None:
-        super().__init__(saddle.system, start, times)
-        self.saddle = saddle
-        saddle.inside = self.knots.inside
-        self.energy_balance = EnergyBalance(saddle)
-        self.result = replace(self.result, energy_terms=self.energy_balance.terms)
-        self.shortest = SHORTEST * float(times[-1] - times[0])
-
-    @abstractmethod
-    def balance(self) -> Balance:
-        """Return the balance of forces at the current time, in the workspace."""
-
-    @property
-    def instant(self) -> tuple[Snapshot, Array]:
-        """Coordinates, rates and deformations at the current time, and internal states of laws."""
-        state = self.present
-        return Snapshot.of(state), state.z
-
-    @property
-    def present(self) -> State:
-        """The complete state at the current time."""
-        stored = self.result.states[-1]
-        return stored if stored.t == self.t else self.saddle.state(self.balance())
-
-    def begin(self) -> None:
-        """Start the energy balance."""
-        self.balance()
-        self.energy_balance.begin()
-
-    def keep(self) -> None:
-        """Store the current state, unless it is already stored."""
-        if self.t > self.result.states.end:
-            self.result.states.append(self.saddle.state(self.balance()))
-            self.energy_balance.keep()
-
-    def judge(self) -> str | None:
-        """Whether the method has taken out, or added, more than a small part of the energy of the motion."""
-        balance = self.energy_balance
-        if abs(balance.share) <= LOST or not balance.steps:
-            return None
-        step = (self.t - float(self.times[0])) / balance.steps
-        did = "removed" if balance.missing > 0 else "added"
-        return (
-            f"{self.method} has {did} {abs(balance.missing):.2g} J, {abs(balance.share):.0%} of the energy of the "
-            f"motion (mean step {step:.2g} s); give a smaller rtol or step, or method='DOP853'"
-        )
-
-    def imbalance(self) -> Imbalance | None:
-        """Return the error of the energy balance; `judge` reports what is lost beyond a small part."""
-        balance = self.energy_balance
-        moved = balance.moved
-        if moved <= AT_REST * (moved + balance.size):
-            return Imbalance(0.0, 0.0, 0.0, self.t)
-        return Imbalance(abs(balance.missing), moved, np.inf, self.t)
-
-    def failure(self) -> DynamicsError:
-        """Return the error of a step that cannot be taken."""
-        return DynamicsError(
-            f"implicit integration cannot continue at t = {self.t:g} s (step below {self.shortest:.2g} s): the motion "
-            "is not smooth there, or a condition cannot be met; inspect the last state of the motion, change the "
-            "model, and restart from there"
-        )
-
-
-class GeneralizedAlpha(ImplicitRun):
-    """One run of the generalized-alpha method."""
 
     method = "generalized-alpha"
 
@@ -137,10 +70,15 @@ class GeneralizedAlpha(ImplicitRun):
     ) -> None:
         self._scheme = radius, newton
         self.stepper = AlphaStepper(system, start, *self._scheme, control.tolerance)
-        super().__init__(self.stepper, start, times)
+        super().__init__(system, start, times)
+        self.stepper.inside = self.knots.inside
+        self.energy_balance = EnergyBalance(self.stepper)
+        self.result = replace(self.result, energy_terms=self.energy_balance.terms)
+        duration = float(times[-1] - times[0])
+        self.shortest = SHORTEST * duration
         self.control = control
         if math.isfinite(control.tolerance):
-            self.stepper.expect(start, float(times[-1] - times[0]), control.tolerance, control.absolute)
+            self.stepper.expect(start, duration, control.tolerance, control.absolute)
         self._watch = ContactWatch(
             self.stepper.work, (control.tolerance + control.absolute) * self.stepper.length
         )
@@ -164,6 +102,29 @@ class GeneralizedAlpha(ImplicitRun):
     def step(self) -> float | None:
         """The length of the next step [s]."""
         return self._wish
+
+    @property
+    def instant(self) -> tuple[Snapshot, Array]:
+        """Coordinates, rates and deformations at the current time, and internal states of laws."""
+        state = self.present
+        return Snapshot.of(state), state.z
+
+    @property
+    def present(self) -> State:
+        """The complete state at the current time."""
+        stored = self.result.states[-1]
+        return stored if stored.t == self.t else self.stepper.state(self.balance())
+
+    def begin(self) -> None:
+        """Start the energy balance."""
+        self.balance()
+        self.energy_balance.begin()
+
+    def keep(self) -> None:
+        """Store the current state, unless it is already stored."""
+        if self.t > self.result.states.end:
+            self.result.states.append(self.stepper.state(self.balance()))
+            self.energy_balance.keep()
 
     def renew(self) -> None:
         """Compute accelerations with the changed loads; leave them if a degree of freedom has no inertia."""
@@ -215,6 +176,34 @@ class GeneralizedAlpha(ImplicitRun):
     def balance(self) -> Balance:
         """Return the balance of forces at the current time, in the workspace."""
         return self.stepper.current()
+
+    def judge(self) -> str | None:
+        """Whether the method has taken out, or added, more than a small part of the energy of the motion."""
+        balance = self.energy_balance
+        if abs(balance.share) <= LOST or not balance.steps:
+            return None
+        step = (self.t - float(self.times[0])) / balance.steps
+        did = "removed" if balance.missing > 0 else "added"
+        return (
+            f"{self.method} has {did} {abs(balance.missing):.2g} J, {abs(balance.share):.0%} of the energy of the "
+            f"motion (mean step {step:.2g} s); give a smaller rtol or step, or method='DOP853'"
+        )
+
+    def imbalance(self) -> Imbalance:
+        """Return the error of the energy balance; `judge` reports what is lost beyond a small part."""
+        balance = self.energy_balance
+        moved = balance.moved
+        if moved <= AT_REST * (moved + balance.size):
+            return Imbalance(0.0, 0.0, 0.0, self.t)
+        return Imbalance(abs(balance.missing), moved, np.inf, self.t)
+
+    def failure(self) -> DynamicsError:
+        """Return the error of a step that cannot be taken."""
+        return DynamicsError(
+            f"implicit integration cannot continue at t = {self.t:g} s (step below {self.shortest:.2g} s): the motion "
+            "is not smooth there, or a condition cannot be met; inspect the last state of the motion, change the "
+            "model, and restart from there"
+        )
 
     def advance(self) -> None:
         """Take one accepted step."""

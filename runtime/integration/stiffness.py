@@ -105,13 +105,11 @@ def stiff(system: CoreSystem, state: State, found: Suitable, duration: float) ->
 
 
 class Watch:
-    """Looks at an explicit integration after some steps, and warns if the rest will be long because of stiffness.
+    """Looks at a motion by DOP853 after some steps, and warns if the rest will be long because of stiffness.
 
     Parameters
     ----------
     system : CoreSystem
-    method : str
-        Its name, for the message.
 
     Attributes
     ----------
@@ -119,8 +117,8 @@ class Watch:
         The finding; empty before the check, and for motions that are not stiff or not long.
     """
 
-    def __init__(self, system: CoreSystem, method: str) -> None:
-        self.system, self.method = system, method
+    def __init__(self, system: CoreSystem) -> None:
+        self.system = system
         self.found = ""
         self._steps, self._half = 0, 0.0
 
@@ -147,7 +145,7 @@ class Watch:
             why = demands.why
         else:
             return  # accuracy asks for these steps
-        self.found = f"{self.method} takes about {count:.2g} steps: {why}"
+        self.found = f"{EXPLICIT} takes about {count:.2g} steps: {why}"
         other = RADAU if few(self.system) else ALPHA
         events = " and no events, which it does not locate" * (
             other == ALPHA and bool(getattr(run, "events", ()))

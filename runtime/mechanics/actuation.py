@@ -36,8 +36,8 @@ def refuse_actuators(structure: Structure, roles: Roles) -> None:
     if roles.actuated:
         path, actuators = path_of(structure, roles)
         raise ModelError(
-            f"the path of {quoted(path)} is held by the actuators {quoted(actuators)}: only simulate, with DOP853 or "
-            "RK45, computes such motions; prescribe the path without actuators, or apply their forces with m.load"
+            f"the path of {quoted(path)} is held by the actuators {quoted(actuators)}: only simulate, with DOP853, "
+            "computes such motions; prescribe the path without actuators, or apply their forces with m.load"
         )
 
 

@@ -15,7 +15,7 @@ from flexel.apps.cli.check import check
 from flexel.derive import Law, Parameter, symbol
 from flexel.derive.user_definitions import compile_law
 
-METHODS = ("DOP853", "Radau", "RK45", "BDF", "LSODA")  # in minimal coordinates
+METHODS = ("DOP853", "Radau")  # in minimal coordinates
 E, ED = symbol("e"), symbol("ed")
 
 
@@ -72,7 +72,7 @@ def busy() -> fx.System:
     return m.build()
 
 
-@pytest.mark.parametrize("method", longer(METHODS, "RK45", "BDF", "LSODA"))
+@pytest.mark.parametrize("method", METHODS)
 def test_drives_loads_and_dampers_are_in_the_balance(method: str) -> None:
     """The energy that moves is what they supply and take out, from the stored states by Simpson's rule."""
     motion = busy().simulate(4.0, method=method, rtol=1e-9, samples=4001)
@@ -134,9 +134,7 @@ def damped(loops: int) -> fx.System:
     return m.build()
 
 
-@pytest.mark.parametrize(
-    ("method", "rtol", "bound"), [("DOP853", 1e-9, 1e-8), ("Radau", 1e-8, 1e-7), ("LSODA", 1e-10, 1e-7)]
-)
+@pytest.mark.parametrize(("method", "rtol", "bound"), [("DOP853", 1e-9, 1e-8), ("Radau", 1e-8, 1e-7)])
 @pytest.mark.parametrize("loops", longer([2, 3], 3))
 def test_motions_across_change_points_are_balanced(
     loops: int, method: str, rtol: float, bound: float

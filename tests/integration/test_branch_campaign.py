@@ -14,7 +14,6 @@ pytestmark = [
     # at rtol 1e-3 the audit tells of steps that are too long; they must not be on another branch nevertheless
     pytest.mark.filterwarnings("ignore::flexel.AuditWarning"),
 ]
-SCIPY = {"RK45": (1e-9, 1e-3), "LSODA": (1e-9, 1e-3), "Radau": (1e-6, 1e-3), "BDF": (1e-6, 1e-3)}
 
 
 def judge(family: str, method: str, rtol: float, every: int, own: bool = False) -> None:
@@ -36,9 +35,8 @@ def test_no_motion_in_the_programs_own_choice_is_on_another_branch(family: str) 
     judge(family, "DOP853", 1e-3, 2, own=True)
 
 
-@pytest.mark.parametrize("method", SCIPY)
 @pytest.mark.parametrize("family", COUNTS)
-def test_no_method_of_scipy_takes_a_motion_onto_another_branch(family: str, method: str) -> None:
-    """One case of ten, 40 motions for each method and tolerance."""
-    for rtol in SCIPY[method]:
-        judge(family, method, rtol, 10)
+@pytest.mark.parametrize("rtol", [1e-6, 1e-3])
+def test_radau_takes_no_motion_onto_another_branch(family: str, rtol: float) -> None:
+    """One case of ten, 40 motions for each tolerance."""
+    judge(family, "Radau", rtol, 10)

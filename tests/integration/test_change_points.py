@@ -35,7 +35,6 @@ BOUNDS: list[tuple[str, dict[str, float], float]] = [
     ("DOP853", {"rtol": 1e-10}, 1e-7),
     ("DOP853", {"rtol": 1e-12}, float(np.sqrt(np.finfo(float).eps))),
     ("Radau", {"rtol": 1e-8}, 1e-5),
-    ("RK45", {"rtol": 1e-8}, 1e-4),
 ]
 RATES = (-1.3, 0.4, 2.7, -5.0)
 

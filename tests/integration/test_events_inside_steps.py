@@ -2,14 +2,13 @@
 
 import numpy as np
 import pytest
-from longer import longer
 from scipy.special import ellipk
 
 import flexel as fx
 from flexel.integration.balance import Saddle
 from flexel.integration.contact_watch import ContactWatch
 
-METHODS = ("DOP853", "RK45", "Radau", "BDF", "LSODA", "auto")
+METHODS = ("DOP853", "Radau", "auto")
 HEIGHT = 4.0**2 / (2 * 9.81)  # of a throw at 4 m/s [m]
 
 
@@ -42,7 +41,7 @@ def swinging() -> fx.System:
     return m.build()
 
 
-@pytest.mark.parametrize("method", longer(METHODS, "RK45", "BDF", "LSODA"))
+@pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("width", [1e-2, 1e-5])
 def test_every_passage_of_a_light_gate_is_seen(method: str, width: float) -> None:
     """A pendulum enters and leaves the gate once in each half of its period; its period is a closed form."""
@@ -56,7 +55,7 @@ def test_every_passage_of_a_light_gate_is_seen(method: str, width: float) -> Non
 
 
 @pytest.mark.parametrize("height", np.linspace(0.5, 2.0, 8))
-@pytest.mark.parametrize("method", ["generalized-alpha", "DOP853", "Radau", "sundials", "auto"])
+@pytest.mark.parametrize("method", ["generalized-alpha", "DOP853", "Radau", "auto"])
 def test_no_ball_falls_through_a_thin_bar(method: str, height: float) -> None:
     """A ball on a vertical guide is thrown back by a bar of 10 mm; a contact cannot be passed."""
     m = fx.Model(gravity=(0, -9.81))

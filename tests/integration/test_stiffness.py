@@ -1,4 +1,4 @@
-"""An explicit method that is named for a stiff system says early how long it will take, and disturbs nothing."""
+"""DOP853, if named for a stiff system, says early how long it will take, and disturbs nothing."""
 
 import warnings
 
@@ -22,16 +22,17 @@ def mass(fast: float) -> fx.System:
     return m.build()
 
 
-SAID = r"simulate: {} takes about \S+ steps: its largest eigenvalue is 3e\+04 1/s in magnitude at t = .* s; "
+SAID = (
+    r"simulate: DOP853 takes about \S+ steps: its largest eigenvalue is 3e\+04 1/s in magnitude at t = .* s; "
+)
 
 
-@pytest.mark.parametrize("method", ["DOP853", "RK45"])
-def test_a_long_stiff_motion_is_announced_at_the_call(method: str) -> None:
+def test_a_long_stiff_motion_is_announced_at_the_call() -> None:
     """As an error here, which ends the motion at once."""
     with warnings.catch_warnings():
         warnings.simplefilter("error", fx.StiffWarning)
-        with pytest.raises(fx.StiffWarning, match=SAID.format(method) + ".*use method='Radau'$"):
-            mass(3e4).simulate(10.0, method=method)
+        with pytest.raises(fx.StiffWarning, match=SAID + ".*use method='Radau'$"):
+            mass(3e4).simulate(10.0, method="DOP853")
 
 
 def test_the_estimated_number_of_steps_is_that_of_the_motion(monkeypatch: pytest.MonkeyPatch) -> None:

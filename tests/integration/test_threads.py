@@ -9,7 +9,6 @@ import numpy as np
 import pytest
 from longer import longer
 from mechanisms import slider_crank
-from scipy.integrate._ode import lsoda
 from wheels import MAGIC, MAGIC_ON, H, K, wheel
 
 import flexel as fx
@@ -107,11 +106,6 @@ def evaluated(system: fx.System) -> bytes:
 
 
 METHODS = ["DOP853", "generalized-alpha"]
-# The LSODA of older SciPy keeps its state in common variables and refuses a second motion at the same time.
-if not hasattr(lsoda, "active_global_handle"):
-    METHODS.append("LSODA")
-else:
-    print("LSODA of this SciPy integrates one motion at a time: it is left out of the tests of threads")
 
 
 @pytest.mark.parametrize("name", longer(SYSTEMS, "turning", "hanging", "steered"))

@@ -1,14 +1,13 @@
 """Motions that move no mass and that nothing resists: every method names them, and none stands still."""
 
 from collections.abc import Callable
-from importlib.util import find_spec
 from typing import Any
 
 import pytest
 
 import flexel as fx
 
-METHODS = ["auto", "generalized-alpha", "DOP853", "Radau", *(["sundials"] if find_spec("sksundae") else [])]
+METHODS = ["auto", "generalized-alpha", "DOP853", "Radau"]
 
 
 def loose_angle(m: fx.Model) -> None:

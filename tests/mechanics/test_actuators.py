@@ -161,8 +161,6 @@ def test_the_tip_of_a_flexible_arm_cannot_be_held_by_its_motor() -> None:
         DynamicsError, match=r"'A0.angle' holds the path of 'P2.y'.*unstable at t = 0 s: '.*' grows"
     ):
         s.simulate(1.0)
-    with pytest.raises(DynamicsError, match="unstable"):
-        s.simulate(1.0, method="RK45")
 
 
 def with_a_tool(path: bool) -> Model:
@@ -257,7 +255,6 @@ def test_other_analyses_are_refused() -> None:
         s.vibrations,
         lambda: s.simulate(0.1, method="generalized-alpha"),
         lambda: s.simulate(0.1, method="Radau"),
-        lambda: s.simulate(0.1, method="BDF"),
     ):
         with pytest.raises(ModelError, match="path of 'mark.x' is held by the actuators 'trolley.x'"):
             analysis()

@@ -33,7 +33,7 @@ def test_slider_as_coordinate_passes_the_dead_centres() -> None:
 def test_without_re_choice_the_slider_sticks_at_its_dead_centre_with_an_error() -> None:
     s = slider_crank("B.x").build()
     with pytest.raises(FlexelError, match=r"'B\.x' cannot describe the motion beyond t = 0\.09"):
-        s.simulate(3.0, rechoose=False, method="RK45", rtol=1e-4, atol=1e-6)
+        s.simulate(3.0, rechoose=False, method="DOP853", rtol=1e-4, atol=1e-6)
 
 
 def test_a_system_keeps_its_dofs_after_a_motion_that_changed_them() -> None:
@@ -119,9 +119,8 @@ def test_named_dofs_of_a_chain_are_kept_by_every_analysis(bodies: int) -> None:
     assert all(row.severity != "warning" for row in chain(bodies).check().findings)
 
 
-@pytest.mark.parametrize("method", ["DOP853", "RK45", "LSODA", "Radau", "BDF"])
-def test_every_integrator_passes_the_dead_centres(method: str) -> None:
-    tolerance = {"RK45": 1e-8, "DOP853": 1e-9, "LSODA": 1e-10, "Radau": 1e-6, "BDF": 1e-7}[method]
+@pytest.mark.parametrize(("method", "tolerance"), [("DOP853", 1e-9), ("Radau", 1e-6)])
+def test_every_integrator_passes_the_dead_centres(method: str, tolerance: float) -> None:
     s = slider_crank("B.x").build()
     motion = s.simulate(0.6, samples=7, method=method, rtol=tolerance, atol=tolerance * 1e-2)
     good = slider_crank("crank hinge.angle").build().simulate(0.6, samples=7, rtol=1e-11, atol=1e-12)

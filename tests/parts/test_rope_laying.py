@@ -191,7 +191,6 @@ def test_a_rope_that_does_not_fit_into_its_groove_is_refused(radius: float) -> N
             lambda m, r: m.build().simulate(0.1, method="generalized-alpha", spectral_radius="a"),
             "spectral_radius 'a' is not numeric",
         ),
-        (lambda m, r: m.build().simulate(0.1, method="sundials", max_order=7), "max_order 7 of sundials"),
     ],
 )
 def test_other_bad_input_is_named(call: Callable[[fx.Model, Rope], Any], message: str) -> None:

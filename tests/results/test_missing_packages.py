@@ -7,7 +7,7 @@ from pathlib import Path
 PROGRAM = """
 import sys
 
-OPTIONAL = {"matplotlib", "PIL", "xarray", "pandas", "h5netcdf", "h5py", "control", "sksundae", "joblib", "cloudpickle",
+OPTIONAL = {"matplotlib", "PIL", "xarray", "pandas", "h5netcdf", "h5py", "control", "joblib", "cloudpickle",
             "distributed", "gymnasium"}
 
 
@@ -50,7 +50,6 @@ wanted = {
     "lin.to_pandas": (lambda: lin.to_pandas(), "xarray"),
     "many.to_xarray": (lambda: many.to_xarray(), "xarray"),
     "to_control": (lambda: lin.to_control("pivot.angle"), "control"),
-    "sundials": (lambda: s.simulate(0.1, method="sundials", progress=False), "sundials"),
     "sweep": (lambda: fx.sweep(pendulum, {}, len), "sweep|xarray"),
 }
 given = sys.argv[1]

@@ -5,7 +5,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-import flexel as fx
 from flexel.examples import hoist, hoist_rest
 from flexel.examples.hoist_data import HOIST, LONG, WORN
 from flexel.examples.hoist_model import SHEAVES
@@ -30,16 +29,6 @@ def test_the_rope_hangs_in_four_equal_falls_before_the_load_comes(applied: hoist
 def test_elements_can_follow_the_sheaves_and_are_as_many_as_in_the_paper() -> None:
     assert HOIST.elements == 56
     assert hoist.free_length() / HOIST.elements <= HOIST.sheave_radius / 2
-
-
-def test_without_sundials_its_row_is_left_out_by_name(
-    applied: hoist.HoistResults, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(hoist, "find_spec", lambda _: None)
-    with pytest.warns(
-        fx.IncompleteWarning, match="row peak_dynamic_factor_bdf is left out: it needs scikit-sundae"
-    ):
-        assert hoist._bdf_rows(applied.model, 1.8) == []
 
 
 @pytest.mark.long

@@ -14,10 +14,8 @@ import warnings
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cache
-from typing import Any
 
 import numpy as np
-import scipy.integrate
 
 import flexel as fx
 from bench import cvode
@@ -30,11 +28,14 @@ from flexel.examples.slider_crank import slider_crank
 from flexel.examples.slider_crank_data import SPEED
 from flexel.examples.vehicle import vehicle
 from flexel.examples.vehicle_runs import rounded_ramp, start
-from flexel.integration.explicit import Scipy
-from flexel.integration.minimal import Tolerances
 
 ERRORS = 1e-4, 1e-6, 1e-8
-METHODS = "Radau", "generalized-alpha", "SciPy's Radau", "SUNDIALS' IDA", "SUNDIALS' CVODE"
+OTHERS = {
+    "SciPy's Radau": cvode.by_radau,
+    "SUNDIALS' IDA": cvode.by_ida,
+    "SUNDIALS' CVODE": cvode.by_cvode,
+}
+METHODS = ("Radau", "generalized-alpha", *OTHERS)
 FIRST, LAST = 1, 11  # powers of ten: the loosest and the tightest tolerance
 FINE = 4  # tolerances in a decade
 LONGEST = 10.0  # CPU time [s] after which a method is not asked for more
@@ -85,19 +86,11 @@ def cases() -> Iterator[tuple[str, Case]]:
 
 def taken(case: Case, method: str, rtol: float) -> tuple[Array, dict[str, int]]:
     """Return coordinates (SAMPLES, n) of a motion, and its counts."""
-    times = case.start.t + np.linspace(0, case.seconds, SAMPLES)
-    if method == "SUNDIALS' CVODE":
-        return cvode.integrate(case.system, case.start, times, rtol)
-    if method == "SciPy's Radau":
-        run = Scipy(case.system, case.start, times, "BDF", Tolerances(rtol, rtol / 100), (), True)
-        run._kind = scipy.integrate.Radau  # flexel's own has taken its name
-        found = run.run(False)
-        return np.array([state.x for state in found.states]), run.statistics
-    options: dict[str, Any] = {"method": method}
-    if method == "SUNDIALS' IDA":
-        options = {"method": "sundials", "max_order": 5, "atol": rtol / 100}
+    if method in OTHERS:
+        times = case.start.t + np.linspace(0, case.seconds, SAMPLES)
+        return OTHERS[method](case.system, case.start, times, rtol)
     motion = case.system.simulate(
-        case.seconds, start=case.start, samples=SAMPLES, rtol=rtol, progress=False, **options
+        case.seconds, start=case.start, samples=SAMPLES, method=method, rtol=rtol, progress=False
     )
     return motion.x, motion.statistics
 
