@@ -191,6 +191,8 @@ class LaneRun(LaneStruct):
         See lanes.h.
     v, e, w : ndarray (…, 8)
         Rates of coordinates, deformations and their rates at the start of the steps.
+    value, rate, rest : ndarray (k, 8)
+        Of the deformations `touching`; see lanes.h.
     """
 
     def __init__(
@@ -199,7 +201,7 @@ class LaneRun(LaneStruct):
         choice: LaneCoordinateWork,
         steps: LaneSteps,
         rules: Mapping[str, float],
-        gaps: Sequence[int],
+        touching: Sequence[int],
     ) -> None:
         super().__init__(ffi.new("flexel_lanes *"))
         c, s = self.struct, work.struct
@@ -209,7 +211,8 @@ class LaneRun(LaneStruct):
         c.U0 = self.pointer(work.U0)
         self.wide("accept", 1)
         self.v, self.e, self.w = self.wide("v", s.n), self.wide("e", s.m), self.wide("w", s.m)
-        c.gaps, c.ngaps = self.integers(np.array(gaps, dtype=np.int32)), len(gaps)
+        c.touching, c.ntouching = self.integers(np.array(touching, dtype=np.int32)), len(touching)
+        self.value, self.rate, self.rest = (self.wide(name, len(touching)) for name in ("value", "rate", "rest"))
         for name, value in rules.items():
             setattr(c, name, value)
         self.doing, self.taken, self.refused, self.tries = (self._counts(name) for name in COUNTS)

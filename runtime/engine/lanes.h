@@ -38,8 +38,11 @@ typedef struct {
     double *size, *size_new, *fall;
     double *U0; /* potential of body forces that are linear in the coordinates, where these are zero; of each lane */
     flexel_account *accounts[8]; /* energy balances of the motions, or NULL */
-    const int *gaps; /* deformations whose sign may not change within a step: a contact begins or ends there */
-    int ngaps;
+    /* value e + rate e' + rest of some deformations e, whose sign may not change within a step: a contact or the force of a
+     * law begins or ends there; coefficients of each lane */
+    const int *touching;
+    int ntouching;
+    double *value, *rate, *rest;
 } flexel_lanes;
 
 /* Take steps until a lane passes the time of its own, at the latest at the end, or stops. The step that passes it is still

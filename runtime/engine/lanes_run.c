@@ -41,12 +41,14 @@ static int suspicious(const flexel_lanes *l, const flexel_trial *trial, size_t i
     return trial->changed[i] || !(trial->defect_v[i] <= l->exact * (trial->error_v[i] + allowed));
 }
 
-/* Whether a contact begins or ends in a step. */
+/* Whether a contact, or the force of a law, begins or ends in a step. */
 static int touches(const flexel_lanes *l, size_t i)
 {
-    for (int k = 0; k < l->ngaps; k++) {
-        const size_t at = (size_t)l->gaps[k] * FLEXEL_BLOCK + i;
-        if (l->e[at] * l->work->e[at] < 0)
+    for (int k = 0; k < l->ntouching; k++) {
+        const size_t at = (size_t)l->touching[k] * FLEXEL_BLOCK + i, own = (size_t)k * FLEXEL_BLOCK + i;
+        const double value = l->value[own], rate = l->rate[own], rest = l->rest[own];
+        const double before = value * l->e[at] + rate * l->w[at] + rest;
+        if (before * (value * l->work->e[at] + rate * l->work->w[at] + rest) < 0)
             return 1;
     }
     return 0;

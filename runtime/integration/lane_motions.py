@@ -49,7 +49,6 @@ def suits(run: Run) -> TypeGuard[rules.Dop853]:
         or not run.steps.first_order
         or run.choices.changes
         or not run.usual
-        or run.touching.levels.any()  # lanes look at signs alone
         or run.now.v[n:].any()
     )
 
@@ -112,6 +111,9 @@ class LaneMotions:
             (l.v, now.v),
             (l.e, now.e),
             (l.w, now.ed),
+            (l.value, run.touching.value),
+            (l.rate, run.touching.rate),
+            (l.rest, run.touching.rest),
         ):
             wide[:, lane] = own
         for name in STAGES:
