@@ -212,7 +212,9 @@ class LaneRun(LaneStruct):
         self.wide("accept", 1)
         self.v, self.e, self.w = self.wide("v", s.n), self.wide("e", s.m), self.wide("w", s.m)
         c.touching, c.ntouching = self.integers(np.array(touching, dtype=np.int32)), len(touching)
-        self.value, self.rate, self.rest = (self.wide(name, len(touching)) for name in ("value", "rate", "rest"))
+        self.value, self.rate, self.rest = (
+            self.wide(name, len(touching)) for name in ("value", "rate", "rest")
+        )
         for name, value in rules.items():
             setattr(c, name, value)
         self.doing, self.taken, self.refused, self.tries = (self._counts(name) for name in COUNTS)

@@ -2,6 +2,7 @@
 
 import json
 from collections.abc import Callable
+from importlib import resources
 from pathlib import Path
 from typing import Any
 
@@ -86,9 +87,7 @@ def test_frames_are_painted_in_one_go_as_each_alone(kind: str) -> None:
 
 def read_in(browser: Browser, places: list[dict[str, Any]]) -> list[list[float]]:
     """What the page's own script reads of its block."""
-    script = (Path(fx.__file__).parents[1] / "apps" / "view" / "page" / "decode.js").read_text(
-        encoding="utf-8"
-    )
+    script = (resources.files("flexel.apps.view.page") / "decode.js").read_text(encoding="utf-8")
     script = script[: script.index("/** Numbers over the frames")]  # what comes before needs nothing else
     asked = f"const places = {json.dumps(places)}; return places.map((place) => Array.from(floats(place)));"
     return list(browser.value(f"(async () => {{ {script} {asked} }})()"))
