@@ -11,6 +11,7 @@ from flexel.base.arguments import mapping, names, unknown
 from flexel.base.arrays import Array
 from flexel.base.blas import in_one_thread
 from flexel.base.errors import ModelError
+from flexel.integration import methods
 from flexel.integration.driver import Run
 from flexel.integration.outcome import stored_times
 from flexel.integration.simulation import ended
@@ -23,9 +24,7 @@ from flexel.results.analyses.variant_runs import C, Recomputation, Values, varia
 from flexel.results.ensemble import Ensemble
 from flexel.system import CoreSystem
 
-OPTIONS = (
-    "method", "rtol", "atol", "step", "first_step", "max_step", "spectral_radius", "newton", "rechoose"
-)  # fmt: skip
+OPTIONS = ("method", *sorted(set().union(*methods.OPTIONS.values()) - {"events"}))
 
 
 @in_one_thread

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, fields, replace
 from typing import Any
 
 import numpy as np
@@ -31,12 +31,6 @@ from flexel.model.structure import Structure
 from flexel.system import CoreSystem
 
 AUTO = "auto"
-_STEPS = frozenset({"rtol", "atol", "first_step", "max_step"})
-_DENSE = _STEPS | {"events", "rechoose"}
-OPTIONS: dict[str, frozenset[str]] = {  # by method; the remaining options apply to all methods
-    **dict.fromkeys((AUTO, EXPLICIT, RADAU), _DENSE),
-    ALPHA: _STEPS | {"step", "spectral_radius", "newton"},
-}
 RTOL, ATOL, IMPLICIT_RTOL = 1e-9, 1e-11, 1e-6
 PER_RADIAN, ORDER = (
     48.0,
@@ -57,20 +51,25 @@ LEAST_ATOL = 1e-100  # a smaller value would overflow
 RADIUS, NEWTON = 0.8, "full"
 
 
+def _of(*methods: str) -> Any:
+    """An option of these methods."""
+    return field(default=None, metadata={"methods": methods})
+
+
 @dataclass(frozen=True)
 class Options:
-    """The user's options of a method; None if not given."""
+    """The options of the methods, each with those that have it, and what the user gave; None if not given."""
 
-    rtol: Any = None
-    atol: Any = None
-    step: Any = None
-    first_step: Any = None
-    max_step: Any = None
-    spectral_radius: Any = None
-    newton: Any = None
-    events: tuple[Event, ...] | None = None
-    rechoose: bool | None = None
-    minor: float | None = None  # of Radau, see `Tolerances`; only "auto" sets it
+    rtol: Any = _of(AUTO, EXPLICIT, RADAU, ALPHA)
+    atol: Any = _of(AUTO, EXPLICIT, RADAU, ALPHA)
+    first_step: Any = _of(AUTO, EXPLICIT, RADAU, ALPHA)
+    max_step: Any = _of(AUTO, EXPLICIT, RADAU, ALPHA)
+    step: Any = _of(ALPHA)
+    spectral_radius: Any = _of(ALPHA)
+    newton: Any = _of(ALPHA)
+    events: tuple[Event, ...] | None = _of(AUTO, EXPLICIT, RADAU)
+    rechoose: bool | None = _of(AUTO, EXPLICIT, RADAU)
+    minor: float | None = _of()  # of Radau, see `Tolerances`; only "auto" sets it
 
     def number(self, name: str, default: float, least: float = 0.0) -> float:
         """Return a positive option, or raise a ModelError."""
@@ -85,6 +84,13 @@ class Options:
     def first(self) -> float | None:
         """The first step [s]."""
         return None if self.first_step is None else self.number("first_step", 0.0)
+
+
+OPTIONS = {
+    method: {entry.name for entry in fields(Options) if method in entry.metadata["methods"]}
+    for method in (AUTO, EXPLICIT, RADAU, ALPHA)
+}
+WITH_STEPS = ("rtol", "atol", "first_step", "max_step")  # options that a constant step replaces
 
 
 def check(method: Any, options: Options) -> None:
@@ -105,7 +111,7 @@ def check(method: Any, options: Options) -> None:
                 f"simulate: {name} is not an option of method '{method}'; choose a method that has it: "
                 f"{', '.join(having)}"
             )
-    beside = [name for name in given if name in _STEPS]
+    beside = [name for name in given if name in WITH_STEPS]
     if options.step is not None and beside:
         raise ModelError(
             f"simulate: step is constant, so {', '.join(beside)} would have no effect; give one or the other"

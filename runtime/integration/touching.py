@@ -79,7 +79,10 @@ def _begins(tables: Tables) -> Iterator[tuple[Index, Array, Array, Array]]:
             rows = batch.places["e"][:, 0]
             values = np.swapaxes(p, 1, 2).reshape(-1, p.shape[1])[: rows.size]
             columns = dict(zip(components, values.T, strict=True))
-            yield rows, *(_sum(terms, columns, rows.size) for terms in (begin.value, begin.rate, begin.rest))
+            value, rate, rest = (
+                _sum(terms, columns, rows.size) for terms in (begin.value, begin.rate, begin.rest)
+            )
+            yield rows, value, rate, rest
 
 
 def _sum(terms: Sequence[TermSpec], columns: dict[tuple[str, int], Array], size: int) -> Array:

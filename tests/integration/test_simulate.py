@@ -1,11 +1,13 @@
 """One call for all integrators: what each method takes, which one is chosen, and how a motion that fails ends."""
 
+import inspect
 from typing import Any
 
 import numpy as np
 import pytest
 
 import flexel as fx
+from flexel.apps.cli.run import METHODS
 from flexel.integration import stiffness
 from flexel.integration.methods import OPTIONS
 
@@ -46,6 +48,16 @@ def test_every_method_takes_its_options_and_refuses_those_of_others_by_name(meth
     message = str(caught.value)
     assert message.startswith(f"simulate: {name} is not an option of method '{method}'")
     assert all(other in message for other in OPTIONS if name in OPTIONS[other])
+
+
+def test_the_table_of_options_is_that_of_the_signature_and_of_the_command_line() -> None:
+    """What applies to all methods is in the signature alone; an option that only "auto" sets is in none."""
+    of_methods = set().union(*OPTIONS.values())
+    assert of_methods == set(GIVEN)
+    assert list(OPTIONS) == list(METHODS)
+    signature = set(inspect.signature(fx.System.simulate).parameters)
+    common = {"system", "duration", "start", "times", "samples", "method", "progress", "checkpoint"}
+    assert signature - common == of_methods
 
 
 @pytest.mark.parametrize("name", ["rtol", "atol", "first_step", "max_step"])
