@@ -62,9 +62,8 @@ class Minimal:
 def by_radau(system: fx.System, start: fx.State, times: Array, rtol: float) -> Found:
     """Integrate by SciPy's Radau."""
     own = Minimal(system, start)
-    solver = scipy.integrate.Radau(
-        own.rates, times[0], own.y, times[-1], rtol=rtol, atol=rtol / 100 * own.scales, jac=own.jacobian
-    )
+    tolerances: dict[str, Any] = {"rtol": rtol, "atol": rtol / 100 * own.scales}  # its types know no array
+    solver = scipy.integrate.Radau(own.rates, times[0], own.y, times[-1], jac=own.jacobian, **tolerances)
     steps, x = 0, [start.x]
     while len(x) < times.size:
         message = solver.step()
