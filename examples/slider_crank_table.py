@@ -84,7 +84,7 @@ def talk(results: SliderCrankResults, slides: dict[float, TalkResults]) -> list[
         ]  # fmt: skip
     return [
         *rows,
-        Quantity("talk_full_minus_simulation_1pct", simulated(slides[0.01], 0.01), 0.0, 5e-7, "", data.FIVE_TURNS, two,
+        Quantity("talk_full_minus_simulation_1pct", simulated(slides[0.01], 0.01), 0.0, 4e-7, "", data.FIVE_TURNS, two,
                  kind="own"),
     ]  # fmt: skip
 
