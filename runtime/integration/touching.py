@@ -60,7 +60,10 @@ class TouchingContacts:
         h = last.t - first.t
         e, r0, r1 = first.e[self.rows], h * first.ed[self.rows], h * last.ed[self.rows]
         rise = last.e[self.rows] - e
-        a, b = 3 * rise - 2 * r0 - r1, r0 + r1 - 2 * rise  # e + r0 s + a s² + b s³ for the part s of the step
+        # e + r0 s + a s² + b s³ for the part s of the step; the rate at its end is left out where it does not count: a
+        # stiff contact that has begun within the step has changed it
+        b = np.where(self.rate == 0, 0.0, r0 + r1 - 2 * rise)
+        a = rise - r0 - b
         own, along = self.value, self.rate / h
         g = np.array(
             [own * b, own * a + 3 * along * b, own * r0 + 2 * along * a, own * e + along * r0 + self.rest]
