@@ -134,7 +134,7 @@ def animate(
             f"animate '{path}': the program ffmpeg is not installed; install it (`apt install ffmpeg`), or write .html "
             "or .gif"
         )
-    start, end = span_of(between, (float(motion.t[0]), float(motion.t[-1])), owner)
+    start, end = span_of(motion, between, owner)
     count = max(2, round((end - start) * slower * fps) + 1)
     if path.suffix == ".html":
         from flexel.apps.view.page import view_motion

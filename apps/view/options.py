@@ -5,11 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import fields
 from inspect import Parameter, signature
-from typing import Any, TypedDict
+from typing import TYPE_CHECKING, Any, TypedDict
 
 from flexel.apps.view.scene import View
 from flexel.base.arguments import unknown, vector
 from flexel.base.errors import ModelError
+
+if TYPE_CHECKING:
+    from flexel.integration.trajectory import Trajectory
 
 
 class MotionOptions(TypedDict, total=False):
@@ -57,8 +60,8 @@ def checked(owner: str, picture: Callable[..., Any], options: Mapping[str, Any])
     return dict(options)
 
 
-def span_of(between: Sequence[float] | None, whole: tuple[float, float], owner: str) -> tuple[float, float]:
-    """Return the times of the part to show [s], all of the motion by default.
+def span_of(motion: Trajectory, between: Sequence[float] | None, owner: str) -> tuple[float, float]:
+    """Return the times of the part of a motion to show [s], all of it by default.
 
     Raises
     ------
@@ -66,7 +69,7 @@ def span_of(between: Sequence[float] | None, whole: tuple[float, float], owner: 
         Not two numbers, or the end before the start.
     """
     if between is None:
-        return whole
+        return float(motion.t[0]), float(motion.t[-1])
     start, end = vector(between, owner, "between", 2).tolist()
     if start > end:
         raise ModelError(f"{owner}: between ends at {end:g} s before its start at {start:g} s; exchange them")

@@ -144,8 +144,8 @@ class Dop853(MinimalRun):
                 exact = trusted and self._exact(defect)
                 if exact and not (c.changed and (self._rough() or self._poor())):
                     trials -= 1
-                    seen = self.touching.rows.size and trials > 0
-                    until = self.touching.until(self.now, s.end(t1)) if seen else 0.0
+                    last = s.end(t1)
+                    until = self.touching.until(self.now, last) if trials > 0 else 0.0
                     if until <= shortest:
                         break
                     self._h = until
@@ -174,7 +174,7 @@ class Dop853(MinimalRun):
         self._h = h * (min(1.0, factor) if rejected else factor)
         if t1 == end and not rejected:
             self._h = max(self._h, wished)  # it was cut short
-        return self._accepted(t1)
+        return self._accepted(last)
 
     def _error(self) -> float:
         """The largest of the errors of a step, relative to what is allowed."""
@@ -235,13 +235,12 @@ class Dop853(MinimalRun):
         self.amplification = self.choices.amplification(self.now)
         return self.consider(REFUSED)
 
-    def _accepted(self, t1: float) -> str | None:
+    def _accepted(self, last: Snapshot) -> str | None:
         s, first = self.steps, self.now
         if s.struct.changed:
             self.counts["bifurcations"] += 1
             s.struct.sign = -s.struct.sign
         self.amplification = s.choice.amplification()
-        last = s.end(t1)
         r, ends = s.rotations, (s.y.copy(), s.y_new.copy(), s.K.copy())
         turns = s.w.copy(), s.w_new.copy(), np.hstack([s.w_rates, s.V[:, r.others]])
         allowed = self.allowed_inside(

@@ -57,6 +57,8 @@ class TouchingContacts:
         first, last : Snapshot
             At its ends.
         """
+        if not self.rows.size:
+            return 0.0
         h = last.t - first.t
         e, r0, r1 = first.e[self.rows], h * first.ed[self.rows], h * last.ed[self.rows]
         rise = last.e[self.rows] - e

@@ -44,9 +44,9 @@ def pulling(structure: Structure, roles: Roles, states: States, evaluations: int
         force, when = forces[worst[column], column], looked[worst[column]].t
         if force > least and row in roles.rigid:
             wheel = structure.names[row].rpartition(".")[0]
-            kind = structure.element(wheel).spec.family
+            what = f"{structure.element(wheel).spec.family} '{wheel}'".strip()  # a user's may have no family
             yield (
-                f"{kind} '{wheel}' pulls on the road by {force:.3g} N at t = {when:g} s, where it would lift: give it "
+                f"{what} pulls on the road by {force:.3g} N at t = {when:g} s, where it would lift: give it "
                 "a tyre (m.tyre with a law), which can lift, or end the motion earlier"
             )
 

@@ -107,14 +107,14 @@ def largest_stress(state: ElementOutputs) -> BeamStress:
 
 def _find(state: ElementOutputs, beam: str) -> Instance:
     """Return a beam that reports its section forces."""
-    elements = {instance.name: instance for instance in state.structure.instances}
-    found = elements.get(beam) if isinstance(beam, str) else None
-    beams = [name for name, instance in elements.items() if instance.spec.reports(*SECTION_FORCES)]
-    if found is not None and beam not in beams and found.spec.arm:
+    instances = state.structure.instances
+    found = next((instance for instance in instances if instance.name == beam), None)
+    if found is not None and found.spec.reports(*SECTION_FORCES):
+        return found
+    if found is not None and found.spec.arm:
         raise ModelError(
             f"beam '{beam}': the element '{found.spec.name}' reports no section forces; declare outputs force_p, "
             "moment_p, force_q and moment_q, as flexel.derive.elements.section_outputs does"
         )
-    if found is None or beam not in beams:
-        raise ModelError(unknown(str(beam), beams, "beam with two frames"))
-    return found
+    beams = [instance.name for instance in instances if instance.spec.reports(*SECTION_FORCES)]
+    raise ModelError(unknown(str(beam), beams, "beam with two frames"))

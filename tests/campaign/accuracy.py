@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 import flexel as fx
-from flexel.base.arrays import Array
+from flexel.base.arrays import Array, Index
 
 FACTOR = 20.0  # errors of so many tolerances are admitted
 SURER = 10.0  # times better than the bound must references agree
@@ -77,7 +77,7 @@ class Histories:
 def histories(motion: fx.Motion) -> Histories:
     """All coordinates that are not fixed, their rates, deformations that are not rigid, and internal states."""
     s = motion.structure
-    free = np.setdiff1d(np.arange(s.m), motion[0].roles.rigid)
+    free = _free(motion)
     coordinates, deformations = s.names[s.m + s.k :][: s.nf], (s.names[i] for i in free)
     names = (*coordinates, *(f"{name}'" for name in coordinates), *deformations, *s.internal)
     values = np.array(
@@ -86,6 +86,11 @@ def histories(motion: fx.Motion) -> Histories:
     units: dict[str, int] = {}
     kinds = np.array([units.setdefault(_unit(motion, name), len(units)) for name in names], int)
     return Histories(names, values, kinds)
+
+
+def _free(motion: fx.Motion) -> Index:
+    """Places of the deformations that are not rigid."""
+    return np.setdiff1d(np.arange(motion.structure.m), motion[0].roles.rigid)
 
 
 def _unit(motion: fx.Motion, name: str) -> str:
@@ -215,9 +220,8 @@ def rounding(motion: fx.Motion) -> Array:
     system, s = motion._system, motion.structure
     assert system is not None
     coordinates = s.m + s.k + np.arange(s.nf)
-    free = np.setdiff1d(np.arange(s.m), motion[0].roles.rigid)
-    found = np.zeros((2, s.nf))
-    deformed = np.zeros(free.size)
+    free = _free(motion)
+    found, deformed = np.zeros((2, s.nf)), np.zeros(free.size)
     for state in motion[:: max(1, len(motion) // LOOKS)]:
         kinematics = system.kinematics_of(state.roles)
         choice = kinematics.given(state.t)

@@ -120,7 +120,7 @@ def _packed_rows(found: dict[str, Any]) -> dict[str, Any]:
 def _sampled(motion: Trajectory, frames: int, between: tuple[float, float] | None, bar: bool) -> list[State]:
     """Return the states to show."""
     frames = whole(frames, "view", "frames", 2, MAX_FRAMES)
-    start, end = span_of(between, (float(motion.t[0]), float(motion.t[-1])), "view")
+    start, end = span_of(motion, between, "view")
     if motion.dense and end > start:
         return [motion.at(float(t)) for t in followed(np.linspace(start, end, frames), bar, frames, "frame")]
     kept = [state for state in motion if start <= state.t <= end]
@@ -280,10 +280,10 @@ def numbers(shape: Shape) -> Array:
         places = np.concatenate(shape.lines, axis=-2)
         return places.reshape(*places.shape[:-2], -1)
     origin, R = shape.pose
-    found = Rotation.from_matrix(
+    turned = Rotation.from_matrix(
         np.array(R).reshape(-1, 3, 3)
-    )  # older versions take no array that is read-only
-    turns = np.roll(found.as_quat(), 1, axis=1)  # SciPy has the scalar last
+    )  # a copy: old versions refuse what is read-only
+    turns = np.roll(turned.as_quat(), 1, axis=1)  # SciPy has the scalar last
     same = np.sum(turns[1:] * turns[:-1], axis=1) >= 0
     turns[1:] *= np.cumprod(np.where(same, 1.0, -1.0))[:, None]
     return np.concatenate([origin, turns.reshape(*origin.shape[:-1], 4)], axis=-1)
