@@ -115,6 +115,11 @@ def works() -> dict[str, Callable[[], Any]]:
     speeds = np.linspace(4.0, 5.0, 5)
     moved = links.simulate(0.5, samples=51)
     y = np.concatenate([links.initial.q, links.initial.qd])
+    end = line.points[-1]
+    events = [
+        fx.Event("far", lambda state: state[f"{end.name}.x"] - 5.0),
+        fx.Event("low", lambda state: state[f"{end.name}.y"] + 0.5),
+    ]
 
     def rolling(speed: float) -> fx.State:
         return ride.state_at(rates={"rear spin.angle": -speed / 0.3})
@@ -137,6 +142,7 @@ def works() -> dict[str, Callable[[], Any]]:
         "root loci": lambda: [ride.linearize(rolling(speed)).modes() for speed in speeds],
         "linearize_many": lambda: ride.linearize_many(parameters=masses, threads=1, progress=False),
         "DOP853": lambda: links.simulate(0.5, method="DOP853", samples=11),
+        "events": lambda: links.simulate(0.5, method="DOP853", samples=11, events=events),
         "Radau": lambda: links.simulate(0.5, method="Radau", rtol=1e-6, samples=11),
         "generalized-alpha": lambda: links.simulate(0.5, method="generalized-alpha", samples=11),
         "simulate_many": lambda: ride.simulate_many(

@@ -20,8 +20,8 @@ from flexel.integration.branch import WORSE
 from flexel.integration.carried import CLOSE, Carried
 from flexel.integration.collocation import Sweeps
 from flexel.integration.knots import Knots
-from flexel.integration.outcome import Segment
 from flexel.integration.path import Path
+from flexel.integration.segments import Segment
 from flexel.mechanics.amplification import amplification
 from flexel.mechanics.kinematics import Kinematics
 from flexel.model.snapshot import Snapshot
@@ -190,7 +190,7 @@ class Crossing:
         for t in ends[(np.abs(ends - flat) > close) | (ends == ends[-1])].tolist():
             last = sweeps.moment(path, t, first)
             steps.append(
-                Carried(first.t, t, sweeps.kinematics, self.shown, None, first, last, path=path, flat=flat)
+                Carried(first.t, t, sweeps.kinematics, self.shown, first, last, path=path, flat=flat)
             )
             first = last
         return steps

@@ -12,8 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from flexel.base.arrays import Array
-from flexel.integration.outcome import Pending, Segment
 from flexel.integration.path import Path
+from flexel.integration.segments import Pending, Segment
 from flexel.mechanics import dynamics
 from flexel.mechanics.kinematics import Kinematics
 from flexel.mechanics.states import between

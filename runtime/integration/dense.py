@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import accumulate
+from operator import mul
 
 import numpy as np
 from numpy.polynomial import legendre
 from scipy.integrate._ivp import dop853_coefficients as tableau
 
 from flexel.base.arrays import Array
-from flexel.base.copies import Portable
 from flexel.base.errors import FlexelError
 from flexel.engine.rotations import Rotations
+from flexel.integration.segments import DenseOutput
 from flexel.mechanics.kinematics import Kinematics
 from flexel.mechanics.states import between
 from flexel.model.snapshot import Snapshot
@@ -32,7 +34,7 @@ A, B, C = tableau.A[:12, :12], tableau.B, tableau.C[:12]
 
 
 @dataclass(frozen=True)
-class Interpolant(Portable):
+class Interpolant(DenseOutput):
     """Interpolation in a step of DOP853; where it does not satisfy the equations, steps from its start.
 
     The step control does not see the error of an interpolation: it may be thirty times the error at the end,
@@ -74,21 +76,23 @@ class Interpolant(Portable):
     allowed: Array
 
     @cached_property
+    def _cubic(self) -> Array:
+        """Coefficients (3, ny + 4 count) of the cubic through both ends with the rates there."""
+        h, begin = self.last.t - self.first.t, self._begin
+        change = np.concatenate([self.y1, self.w1, self.last.x[self.rotations.others]]) - begin
+        r0, r1 = (h * np.concatenate([self.K[i], self.W[i]]) for i in (0, 12))
+        return np.array([change, r0 - change, 2 * change - (r1 + r0)])
+
+    @cached_property
     def _coefficients(self) -> Array:
         """Coefficients (7, ny + 4 count) of the interpolation, as in SciPy."""
         h, begin = self.last.t - self.first.t, self._begin
         K = np.concatenate([np.hstack([self.K, self.W]), np.zeros((3, begin.size))])
         for s, (a, c) in enumerate(zip(tableau.A[13:], tableau.C[13:], strict=True), start=13):
             K[s] = self._rates(self.first.t + c * h, self._placed(begin + h * (K[:s].T @ a[:s])))
-        change = np.concatenate([self.y1, self.w1, self.last.x[self.rotations.others]]) - begin
-        F = np.empty((7, begin.size))
-        F[0] = change
-        F[1] = h * K[0] - change
-        F[2] = 2 * change - h * (K[12] + K[0])
-        F[3:] = h * (tableau.D @ K)
-        return F
+        return np.concatenate([self._cubic, h * (tableau.D @ K)])
 
-    @property
+    @cached_property
     def _begin(self) -> Array:
         """What is interpolated, at the start: y, angular velocities, and Euler parameters that are not in y."""
         return np.concatenate([self.y0, self.w0, self.first.x[self.rotations.others]])
@@ -162,6 +166,11 @@ class Interpolant(Portable):
             K[s] = self._rates(self.first.t + C[s] * h, self._placed(begin + h * (A[s, :s] @ K[:s])))
         return self._placed(begin + h * (B @ K))
 
+    def roughly(self, t: float) -> Array:
+        """Return the values (ny,) of the cubic at a time [s] in the step, without any evaluation."""
+        part = (t - self.first.t) / (self.last.t - self.first.t)
+        return self._placed(self._begin + _shares(part)[:3] @ self._cubic)
+
     def __call__(self, t: float) -> Array:
         """Return the values (ny,) at a time [s] in the step."""
         if t == self.last.t:
@@ -176,7 +185,8 @@ class Interpolant(Portable):
 
 def _shares(part: float) -> Array:
     """Return the shares (7,) of the coefficients of order 7 in the values at a part of the step."""
-    return np.asarray(part**UP * (1 - part) ** DOWN)
+    rest = 1 - part
+    return np.array([*accumulate((part, rest, part, rest, part, rest, part), mul)])
 
 
 def _slopes(part: float) -> Array:

@@ -20,7 +20,7 @@ from flexel.integration.dense import UNRELIABLE, Interpolant
 from flexel.integration.dop853_steps import B, Steps
 from flexel.integration.flat import crossing_step, flat_position
 from flexel.integration.minimal import SHORTEST, MinimalRun
-from flexel.integration.outcome import Segment
+from flexel.integration.segments import Step
 from flexel.integration.touching import TRIALS, TouchingContacts
 from flexel.model.snapshot import Snapshot
 
@@ -281,7 +281,7 @@ class Dop853(MinimalRun):
     def pass_step(self, first: Snapshot, last: Snapshot, dense: Interpolant) -> None:
         """Store the states at the times within an accepted step."""
         z = dense.y1[dense.y1.size - self.z.size :].copy()
-        self.accept(Segment(first.t, last.t, self.kinematics, self._shown, dense, first, last), z)
+        self.accept(Step(first.t, last.t, self.kinematics, self._shown, first, last, dense), z)
 
     def go_on_alone(self, now: Snapshot, h: float, amplification: float) -> None:
         """Continue from the start of a step, whose variables and rates are in `steps`."""

@@ -14,13 +14,15 @@ from flexel.base.arrays import Array
 from flexel.base.errors import DampingWarning, FlexelError
 from flexel.base.progress import progress_bar, seen
 from flexel.base.time_functions import calls_user
+from flexel.integration.event_passages import passages
 from flexel.integration.event_samples import EventSample, EventSamples
-from flexel.integration.events import Event, passages, value
+from flexel.integration.events import Event, value
 from flexel.integration.imbalance import Imbalance
 from flexel.integration.knots import FORCES, RATES, Knots
-from flexel.integration.outcome import Integration, Pending, Segment, States
+from flexel.integration.outcome import Integration, States
 from flexel.integration.passed import Passages
 from flexel.integration.sampling import Sampling
+from flexel.integration.segments import Pending, Segment
 from flexel.integration.watchdog import Watchdog
 from flexel.mechanics.impulse import struck
 from flexel.mechanics.kinematics import Kinematics
@@ -265,8 +267,7 @@ class DenseRun(Run):
         super().__init__(system, start, times)
         self.system, self.events = system, events
         self.now, self.z = Snapshot.of(start), start.z
-        self._values = [value(event, start) for event in events]
-        self._looks = EventSamples(events, start.t, self._values)
+        self._looks = EventSamples(events, start.t, [value(event, start) for event in events])
         self._span = float(times[-1] - times[0])
         self._shown: Kinematics = system.kinematics_of(start.roles)
         # what the user's functions give later may be something else: states are then completed at once
@@ -312,6 +313,7 @@ class DenseRun(Run):
     def strike(self) -> None:
         """Continue from here with the rates just after an impulse."""
         self.now = struck(self._shown, self.now, self.knots.inside(self.t))
+        self._looks.struck()
 
     def contradictions(self) -> list[EventSample]:
         """Return what contradicts the events that were reported."""
@@ -334,7 +336,7 @@ class DenseRun(Run):
         result.events[:] = [found for found in result.events if found[1].t <= now.t]
         self.now, self.z = now, z
         state = self.present
-        self._values = [value(event, state) for event in self.events]
+        self._looks.back(now.t, [value(event, state) for event in self.events])
 
     def accept(self, step: Segment, z: Array) -> str | None:
         """Continue from the end of a step, or end at a terminal event within it and return its message."""
@@ -342,8 +344,8 @@ class DenseRun(Run):
         if self.events:
             last = step.end(z).state()
             times = float(self.times[0]), self._span
-            found, self._values = passages(self.events, step, last, self._values, times)
-            self._looks.note(step.t1, self._values, found)
+            found, values = passages(self.events, step, last, self._looks, times)
+            self._looks.note(step.t1, values, found)
             terminal = next((passage for passage in found if passage[0].terminal), None)
             end = terminal[1].t if terminal else step.t1
             for event, z_event in [passage for passage in found if passage[1].t <= end]:

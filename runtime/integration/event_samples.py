@@ -1,20 +1,26 @@
-"""Compares functions of events with what was reported: at the stored states, and inside steps where they may jump."""
+"""The functions of events at the ends of steps: how much they change, and what contradicts what was reported.
+
+Contradictions are looked for at the stored states, and inside steps where a function may jump.
+"""
 
 from __future__ import annotations
 
 from bisect import bisect_left
+from collections import deque
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from flexel.integration.events import Event, value
-from flexel.integration.outcome import Segment, States
+from flexel.integration.outcome import States
+from flexel.integration.segments import Segment
 from flexel.model.state import State
 
 STORED = 200  # stored states that are looked at, evenly spread
 EVERY, MOST = 20, 1000  # looks in a step, and in a motion, at a function that seems to jump
 FEWEST = 4  # values that must be the same for that
+PAST = 3  # steps, besides the present one, whose changes show how much a function can change
 
 
 @dataclass(frozen=True)
@@ -42,7 +48,7 @@ class EventSample:
 
 
 class EventSamples:
-    """The signs of event functions at the ends of steps, and what contradicts them.
+    """The event functions at the ends of steps, how fast they change, and what contradicts their signs.
 
     Between the ends of a step a function has the sign of its beginning, and changes it at each event that was reported
     there.  Where only one direction is reported and the signs of the ends differ, it is not known when it changes.
@@ -59,9 +65,39 @@ class EventSamples:
     def __init__(self, events: Sequence[Event], t: float, values: Sequence[float]) -> None:
         self._events, self._times, self._values = events, [t], [list(values)]
         self._reported: list[list[float]] = [[] for _ in events]
+        self._slopes: list[deque[float]] = [deque(maxlen=PAST) for _ in events]
+
+    @property
+    def values(self) -> list[float]:
+        """The functions at the end of the last step."""
+        return self._values[-1]
+
+    def struck(self) -> None:
+        """Take into account that rates jump here: the functions may change faster than before."""
+        for own in self._slopes:
+            own.clear()
+
+    def back(self, t: float, values: Sequence[float]) -> None:
+        """Return to an earlier time [s], where the functions have these values."""
+        kept = bisect_left(self._times, t)
+        self._times[kept:], self._values[kept:] = [t], [list(values)]
+        self._reported = [[time for time in own if time <= t] for own in self._reported]
+        self.struck()
+
+    def travel(self, number: int, t: float, value: float) -> float:
+        """Return how much a function can change up to a time [s], where it has this value, as fast as it did lately.
+
+        It is infinite where too few steps are known, and where the function has been constant: it may jump.
+        """
+        slopes = self._slopes[number]
+        if len(slopes) < PAST:
+            return np.inf
+        return max(abs(value - self._values[-1][number]), max(slopes) * (t - self._times[-1])) or np.inf
 
     def note(self, t: float, values: Sequence[float], found: Sequence[tuple[Event, State]]) -> None:
         """Keep the functions at the end of a step, and the events that were found in it, in the order of time."""
+        for own, before, after in zip(self._slopes, self._values[-1], values, strict=True):
+            own.append(abs(after - before) / (t - self._times[-1]))
         self._times.append(t)
         self._values.append(list(values))
         for number, event in enumerate(self._events):

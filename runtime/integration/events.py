@@ -1,21 +1,16 @@
-"""Events: zero crossings of functions of the state, located on the dense output of a step."""
+"""Events: zero crossings of functions of the state."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from functools import cache
 from typing import Any
 
 from flexel.base.arguments import flag, number, text
 from flexel.base.copies import Constant, check_travels
 from flexel.base.errors import ModelError
 from flexel.base.nested import WITHIN
-from flexel.integration.crossings import LOCATED, crossings
-from flexel.integration.outcome import Segment
 from flexel.model.state import State
-
-INSTANT = 1e-9  # relative to the times: an event found within this time is the one at which the motion starts
 
 
 @dataclass(frozen=True)
@@ -35,11 +30,11 @@ class Event(Constant):
     -----
     A motion that starts at an event, for example from its state, does not trigger it again immediately.
 
-    The function is evaluated inside each step too.  Two crossings in one step are found if the function is
-    continuous and its size has a single minimum between them and the samples around them, at quarters of the
-    step and near its ends.  A function that only touches zero does not cross it.  A function that jumps, such
-    as one that is 1 within a gate and -1 elsewhere, may be missed: give a distance that changes sign, or a
-    `max_step` shorter than the passage.
+    The function is evaluated inside a step too, unless it is further from zero than it can change in the step, as
+    fast as it changed in the last three.  Two crossings in one step are found if the function is continuous and its
+    size has a single minimum between them and the samples around them, at quarters of the step and near its ends.
+    A function that only touches zero does not cross it.  A function that jumps, such as one that is 1 within a gate
+    and -1 elsewhere, may be missed: give a distance that changes sign, or a `max_step` shorter than the passage.
     """
 
     name: str
@@ -88,42 +83,3 @@ def value(event: Event, state: State) -> float:
     except RecursionError as error:
         raise ModelError(f"{owner}: its function calls itself endlessly; correct it") from error
     return number(found, owner, "value")
-
-
-def passages(
-    events: Sequence[Event],
-    step: Segment,
-    last: State,
-    before: Sequence[float],
-    times: tuple[float, float],
-) -> tuple[list[tuple[Event, State]], list[float]]:
-    """Find the zero crossings within a step, in the order of time, and the functions at its end.
-
-    Each function is sampled within the step.  Where its size has a minimum between samples, the minimum is searched
-    for, so that two crossings between two samples are found too.
-
-    Parameters
-    ----------
-    events : sequence of Event
-    step : Segment
-    last : State
-        At the end of the step.
-    before : sequence of float
-        The functions at the beginning of the step.
-    times : tuple of float
-        When the motion started, and its duration [s].
-    """
-    after = [value(event, last) for event in events]
-    found: list[tuple[Event, State]] = []
-    begun = times[0] + INSTANT * times[1] + 10 * LOCATED
-    at = cache(step.state)  # shared by all events
-    for event, g0, g1 in zip(events, before, after, strict=True):
-        ends = {step.t0: g0, step.t1: g1}  # the values found before, so that all see the same signs
-
-        def function(t: float, event: Event = event) -> float:
-            return value(event, at(t))
-
-        for t in crossings(function, ends, event.direction):
-            if t > begun:
-                found.append((event, at(t)))
-    return sorted(found, key=lambda passage: passage[1].t), after

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
-from functools import partial
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -12,7 +11,7 @@ from flexel.base.arrays import Array
 from flexel.base.errors import PositionError
 from flexel.integration.driver import DenseRun
 from flexel.integration.events import Event
-from flexel.integration.outcome import Segment
+from flexel.integration.segments import DenseOutput, Step
 from flexel.mechanics.states import located
 from flexel.model.snapshot import Snapshot
 from flexel.model.state import State
@@ -38,9 +37,15 @@ def longest_step(v: Array, a: Array, weights: Array) -> float:
     return 2 * TRAVEL / max(rate + float(np.sqrt(rate * rate + 2 * change * TRAVEL)), 1e-300)
 
 
-def _held(z: Array, t: float) -> Array:
-    """Return the internal states as dense output: a fully prescribed motion has no q or q_d', and holds these."""
-    return z
+@dataclass(frozen=True)
+class HeldStates(DenseOutput):
+    """Dense output of a fully prescribed motion: it has no q or q_d', and its internal states z (nz,) are constant."""
+
+    z: Array
+
+    def __call__(self, t: float) -> Array:
+        """Return the internal states."""
+        return self.z
 
 
 class Followed(DenseRun):
@@ -83,7 +88,7 @@ class Followed(DenseRun):
         there = Snapshot(t, x, v, e, work.w[: e.size].copy())
         self._a = (v - here.v) / (t - here.t)
         arrived = t >= until
-        segment = Segment(here.t, t, self._kinematics, self._kinematics, partial(_held, self.z), here, there)
+        segment = Step(here.t, t, self._kinematics, self._kinematics, here, there, HeldStates(self.z))
         ended = self.accept(segment, self.z)
         if arrived:
             self._step = np.inf

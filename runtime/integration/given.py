@@ -15,7 +15,7 @@ from flexel.base.errors import ModelError
 from flexel.base.time_functions import calls_user
 
 if TYPE_CHECKING:
-    from flexel.integration.outcome import Segment
+    from flexel.integration.segments import Segment
 
 COMPARED = 5  # times at which values are compared
 Given = list[tuple[float, list[tuple[float, float, float]]]]  # times, and the values of each function

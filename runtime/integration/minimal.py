@@ -26,7 +26,8 @@ from flexel.integration.dips import Dips
 from flexel.integration.driver import DenseRun
 from flexel.integration.events import Event
 from flexel.integration.imbalance import AT_REST, ROUNDING, STEPS, Imbalance, explained
-from flexel.integration.outcome import Integration, Pending, Segment
+from flexel.integration.outcome import Integration
+from flexel.integration.segments import DenseOutput, Pending, Step
 from flexel.mechanics.amplification import amplification, lost
 from flexel.mechanics.kinematics import Kinematics
 from flexel.mechanics.timed_laws import timed_law
@@ -234,7 +235,9 @@ class MinimalRun(DenseRun):
             else choices.kinematics
         )
 
-    def end_step(self, t0: float, dense: Any, first: Snapshot, z: Array, last: Snapshot) -> str | None:
+    def end_step(
+        self, t0: float, dense: DenseOutput, first: Snapshot, z: Array, last: Snapshot
+    ) -> str | None:
         """Store an accepted step, and consider other degrees of freedom at its end.
 
         A step that has passed a flat position is replaced by those of `across`, if there are any.
@@ -243,7 +246,7 @@ class MinimalRun(DenseRun):
         if flat is not None and (steps := self.across(flat)):
             return self.carry(steps)
         self.account.note(last.t)
-        segment = Segment(t0, last.t, self.kinematics, self._shown, dense, first, last)
+        segment = Step(t0, last.t, self.kinematics, self._shown, first, last, dense)
         self.counts["steps"] += 1
         ended = self.accept(segment, z)
         if ended is None and self.consider(WORSE):

@@ -13,87 +13,10 @@ from flexel.base.arguments import array, number, whole
 from flexel.base.arrays import Array
 from flexel.base.callers import outside
 from flexel.base.errors import ModelError
-from flexel.mechanics import dynamics
-from flexel.mechanics.kinematics import Kinematics
-from flexel.mechanics.states import between, located
+from flexel.integration.segments import Pending, Segment
 from flexel.model.snapshot import Snapshot
 from flexel.model.state import State
 from flexel.model.structure import Structure
-
-
-@dataclass(frozen=True)
-class Pending:
-    """A state that is known by its coordinates and rates, and completed on demand.
-
-    Attributes
-    ----------
-    kinematics : Kinematics
-        The degrees of freedom of the step that led to it, which are far from a singular position there.
-    shown : Kinematics
-        Those in which it is given.
-    moment : Snapshot
-        Coordinates, rates and deformations with their turns.
-    z : ndarray (nz,)
-        Internal states of laws.
-    """
-
-    kinematics: Kinematics
-    shown: Kinematics
-    moment: Snapshot
-    z: Array
-
-    @property
-    def t(self) -> float:
-        """Time [s]."""
-        return self.moment.t
-
-    def state(self) -> State:
-        """Return the complete state."""
-        at = self.moment
-        return self.given(dynamics.complete(self.kinematics, at.t, at.x, at.v, at.e, self.z))
-
-    def given(self, state: State) -> State:
-        """Return a state of the step's degrees of freedom with those in which it is given: all else is the same."""
-        return state if self.shown is self.kinematics else replace(state, roles=self.shown.roles)
-
-
-@dataclass(frozen=True)
-class Segment:
-    """A step with its choice of degrees of freedom, its dense output y(t) = (q, q_d', z) and its ends.
-
-    Attributes
-    ----------
-    kinematics : Kinematics
-        The degrees of freedom of the step.
-    shown : Kinematics
-        Those in which its states are given.
-    """
-
-    t0: float
-    t1: float
-    kinematics: Kinematics
-    shown: Kinematics
-    dense: Any
-    first: Snapshot
-    last: Snapshot
-
-    def pending(self, t: float) -> Pending:
-        """Return the state at a time within the step, not yet completed."""
-        y, nq, nd = self.dense(t), self.kinematics.roles.nq, self.kinematics.roles.nd
-        q, qd, z = y[:nq], y[nq : nq + nd], y[nq + nd :]
-        if t == self.last.t:
-            return self.end(z)
-        guess = between(self.first, self.last, t)
-        x, v, e = located(self.kinematics, t, q, qd, guess)
-        return Pending(self.kinematics, self.shown, replace(guess, t=t, x=x, v=v, e=e), z)
-
-    def end(self, z: Array) -> Pending:
-        """Return the state at the end of the step, where the internal states are z (nz,)."""
-        return Pending(self.kinematics, self.shown, self.last, z)
-
-    def state(self, t: float) -> State:
-        """Return the complete state at a time within the step."""
-        return self.pending(t).state()
 
 
 class States(Sequence[State]):

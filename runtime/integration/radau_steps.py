@@ -14,7 +14,6 @@ from typing import Any
 import numpy as np
 
 from flexel.base.arrays import Array, Index
-from flexel.base.copies import Portable
 from flexel.engine.angles import Angles, placed
 from flexel.engine.coordinate_work import CoordinateWork
 from flexel.engine.covered import Covered
@@ -29,6 +28,7 @@ from flexel.integration.knots import Knots
 from flexel.integration.minimal import MINOR, natural_scales_of_y
 from flexel.integration.radau_saddle import SaddleFactors
 from flexel.integration.radau_tableau import COLLOCATION, CORRECTION, NODES, PAIR, REAL, WEIGHTS, T
+from flexel.integration.segments import DenseOutput
 from flexel.mechanics.kinematics import Kinematics
 from flexel.model.snapshot import Snapshot
 
@@ -265,7 +265,7 @@ class Collocation(Struct):
 
 
 @dataclass(frozen=True)
-class StagePolynomial(Portable):
+class StagePolynomial(DenseOutput):
     """Dense output of a step: the collocation polynomial, corrected so that its rates at the start are right too.
 
     The defect of the collocation polynomial is a multiple of (s - c1)(s - c2)(s - 1) to its leading order, and known

@@ -7,7 +7,8 @@ from collections.abc import Iterator
 import numpy as np
 
 from flexel.base.arrays import Array
-from flexel.integration.outcome import Pending, States
+from flexel.integration.outcome import States
+from flexel.integration.segments import Pending
 from flexel.mechanics.dynamics import holding_forces
 from flexel.model.role_lists import Roles
 from flexel.model.state import State

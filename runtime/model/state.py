@@ -155,10 +155,13 @@ class State:
         if isinstance(name, str) and name in self.structure.commands:
             controller, place = self.structure.commands[name]
             return float(controller.outputs_at(self)[place])
-        i = self.structure.find(name)
-        if self.structure.m <= i < self.structure.m + self.structure.k:
+        i, m = self.structure.find(name), self.structure.m
+        if i < m:
+            return float(self.e[i])
+        i -= m + self.structure.k
+        if i < 0:
             raise ModelError(f"slip '{name}' has no value, only a rate; use rate('{name}')")
-        return float(self.values[i])
+        return float(self.x[i])
 
     def rate(self, name: str) -> float:
         """Return the rate of a coordinate, a deformation or a law's internal state, or a slip itself."""

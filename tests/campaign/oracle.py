@@ -9,6 +9,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from scipy.linalg import qr
 
 from campaign.algebra import dot
 from campaign.case import Node
@@ -221,6 +222,23 @@ class Oracle:
         if not A:
             return np.zeros((0, x.size)), np.zeros(0)
         return np.concatenate(A), np.concatenate(curve)
+
+    def passes_flat(self, x: Array, y: Array) -> bool:
+        """Whether a flat position lies between two nearby ones, x and y (n,): an odd number of them is seen.
+
+        Where a condition that follows from no other becomes one that does, and is independent again, the determinant of
+        the independent conditions at x and the directions that they leave free there changes its sign.
+        """
+        before, after = (self._conditions(z)[:, self.free] for z in (x, y))
+        rank, _, _, Z = _split(before, np.zeros(len(before)))
+        rows = qr(before.T, mode="r", pivoting=True)[1][:rank]
+        signs = [np.linalg.slogdet(np.concatenate([A[rows], Z.T]))[0] for A in (before, after)]
+        return bool(signs[0] != signs[1])
+
+    def _conditions(self, x: Array) -> Array:
+        """Derivatives (k, n) of all conditions by the coordinates, and of slips by the rates."""
+        still = np.zeros(x.size)
+        return np.concatenate([self.holonomic(x, still, 0.0)[1], self.rolling(x, still)[0]])
 
     def solve(self, x: Array, v: Array, z: Mapping[str, float], t: float) -> Answer:
         """Accelerations and what there is to say about the state; x, v (n,) include held coordinates."""

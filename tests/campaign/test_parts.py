@@ -63,6 +63,25 @@ def test_the_oracle_counts_redundant_constraints_and_knows_singular_positions() 
     assert oracle(case).solve(oracle(case).drawn, np.zeros(6), {}, 0.0).singular
 
 
+def test_the_oracle_sees_that_a_flat_position_is_passed() -> None:
+    """A parallelogram is flat where its cranks are parallel to its coupler, at the angle 0.1; others are not."""
+    crank, coupler = 0.4, np.array([np.cos(0.1), np.sin(0.1)])
+    parts = [
+        declared("point", "O", (0.0, 0.0), fixed=True),
+        declared("point", "D", tuple(coupler), fixed=True),
+    ]
+    parts += [declared("point", name, (crank, 0.0)) for name in "BC"]
+    rods = [declared("truss", "".join(ends), *ends) for ends in ("OB", "DC", "BC")]
+    own = oracle(Case("parallelogram", (0.0, 0.0), (*parts, *rods)))
+
+    def at(angle: float) -> Array:
+        B = crank * np.array([np.cos(angle), np.sin(angle)])
+        return np.concatenate([np.zeros(2), coupler, B, B + coupler])
+
+    assert own.passes_flat(at(0.05), at(0.15)) and own.passes_flat(at(0.15), at(0.05))
+    assert not own.passes_flat(at(-0.2), at(0.05)) and not own.passes_flat(at(0.15), at(0.5))
+
+
 def test_derivatives_in_the_complex_plane_have_the_error_of_rounding() -> None:
     x, v = np.array([0.3, -0.8]), np.array([2.0, 1.0])
 

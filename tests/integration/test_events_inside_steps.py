@@ -54,6 +54,36 @@ def test_every_passage_of_a_light_gate_is_seen(method: str, width: float) -> Non
     assert middles == pytest.approx((np.arange(17) + 0.5) * period / 2, abs=1e-3)
 
 
+@pytest.mark.parametrize("method", METHODS)
+def test_far_from_zero_a_function_is_called_once_a_step(method: str) -> None:
+    """Steps of 10 ms in a swing of 2 s: the function changes by less in one than it is away from zero."""
+    calls: list[float] = []
+
+    def far(state: fx.State) -> float:
+        calls.append(state.t)
+        return state["P.x"] - 0.6
+
+    event = fx.Event("far", far)
+    motion = swinging().simulate(4.0, method=method, max_step=0.01, samples=2, events=[event])
+    assert motion.events == []
+    steps = motion.statistics["steps"]
+    assert (
+        steps >= 400 and len(calls) < steps + 60
+    )  # the first steps are looked into, and some steps afterwards
+
+
+def test_a_gate_that_is_passed_just_after_a_kick_is_seen() -> None:
+    """A prescribed point creeps, and passes the gate in the first step in which it is fast; closed form."""
+    m = fx.Model(gravity=(0, 0))
+    m.point("P", (0, 0))
+    m.fix("P.y")
+    m.prescribe("P.x", fx.Table([0, 1, 2], [0, 0.01, 100.01], kind="linear"))
+    gate = fx.Event("gate", lambda s: abs(s["P.x"] - 2.5) - 0.05)
+    motion = m.build().simulate(2.0, samples=41, events=[gate])
+    times = [state.t for _, state in motion.events]
+    assert times == pytest.approx([1.0244, 1.0254], abs=1e-12)
+
+
 @pytest.mark.parametrize("height", np.linspace(0.5, 2.0, 8))
 @pytest.mark.parametrize("method", ["generalized-alpha", "DOP853", "Radau", "auto"])
 def test_no_ball_falls_through_a_thin_bar(method: str, height: float) -> None:

@@ -1,0 +1,123 @@
+"""Steps of a motion: their degrees of freedom, their ends, and the states within them."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass, replace
+
+from flexel.base.arrays import Array
+from flexel.base.copies import Portable
+from flexel.mechanics import dynamics
+from flexel.mechanics.kinematics import Kinematics
+from flexel.mechanics.states import between, located
+from flexel.model.snapshot import Snapshot
+from flexel.model.state import State
+
+
+@dataclass(frozen=True)
+class Pending:
+    """A state that is known by its coordinates and rates, and completed on demand.
+
+    Attributes
+    ----------
+    kinematics : Kinematics
+        The degrees of freedom of the step that led to it, which are far from a singular position there.
+    shown : Kinematics
+        Those in which it is given.
+    moment : Snapshot
+        Coordinates, rates and deformations with their turns.
+    z : ndarray (nz,)
+        Internal states of laws.
+    """
+
+    kinematics: Kinematics
+    shown: Kinematics
+    moment: Snapshot
+    z: Array
+
+    @property
+    def t(self) -> float:
+        """Time [s]."""
+        return self.moment.t
+
+    def state(self) -> State:
+        """Return the complete state."""
+        at = self.moment
+        return self.given(dynamics.complete(self.kinematics, at.t, at.x, at.v, at.e, self.z))
+
+    def given(self, state: State) -> State:
+        """Return a state of the step's degrees of freedom with those in which it is given: all else is the same."""
+        return state if self.shown is self.kinematics else replace(state, roles=self.shown.roles)
+
+
+@dataclass(frozen=True)
+class Segment(ABC):
+    """A stretch of a motion with its choice of degrees of freedom and its ends.
+
+    Attributes
+    ----------
+    kinematics : Kinematics
+        The degrees of freedom of the step.
+    shown : Kinematics
+        Those in which its states are given.
+    """
+
+    t0: float
+    t1: float
+    kinematics: Kinematics
+    shown: Kinematics
+    first: Snapshot
+    last: Snapshot
+
+    @abstractmethod
+    def pending(self, t: float) -> Pending:
+        """Return the state at a time within it, not yet completed."""
+
+    def end(self, z: Array) -> Pending:
+        """Return the state at its end, where the internal states are z (nz,)."""
+        return Pending(self.kinematics, self.shown, self.last, z)
+
+    def state(self, t: float) -> State:
+        """Return the complete state at a time within it."""
+        return self.pending(t).state()
+
+    def roughly(self, t: float) -> State:
+        """Return the same, or a state near it that satisfies the constraints, where that takes fewer evaluations."""
+        return self.state(t)
+
+
+class DenseOutput(Portable, ABC):
+    """Dense output of a step: y(t) = (q, q_d', z)."""
+
+    @abstractmethod
+    def __call__(self, t: float) -> Array:
+        """Return y (ny,) at a time [s] in the step."""
+
+    def roughly(self, t: float) -> Array:
+        """Return y (ny,) at a time [s] in the step, less exactly where that needs fewer evaluations."""
+        return self(t)
+
+
+@dataclass(frozen=True)
+class Step(Segment):
+    """A step of an integration, with its dense output."""
+
+    dense: DenseOutput
+
+    def pending(self, t: float) -> Pending:
+        """Return the state at a time within the step, not yet completed."""
+        return self._placed(t, self.dense(t))
+
+    def roughly(self, t: float) -> State:
+        """Return a state near that at a time within the step."""
+        return self._placed(t, self.dense.roughly(t)).state()
+
+    def _placed(self, t: float, y: Array) -> Pending:
+        """Return the state for the variables at a time."""
+        nq, nd = self.kinematics.roles.nq, self.kinematics.roles.nd
+        q, qd, z = y[:nq], y[nq : nq + nd], y[nq + nd :]
+        if t == self.last.t:
+            return self.end(z)
+        guess = between(self.first, self.last, t)
+        x, v, e = located(self.kinematics, t, q, qd, guess)
+        return Pending(self.kinematics, self.shown, replace(guess, t=t, x=x, v=v, e=e), z)
