@@ -171,7 +171,7 @@ def _lower_compiled(to: Lowering, given: LawPart, law: Any) -> None:
 def _placed(to: Lowering, on: Sequence[str], owner: str, label: str | None) -> tuple[list[str], str | None]:
     """Return the deformations that some names mean, and the label of a law on them: coordinates give theirs."""
     places = [displacement(to, name, owner) for name in on]
-    return places, label or (None if places == list(on) else " ".join(on))
+    return places, " ".join(on) if label is None and places != list(on) else label
 
 
 def _lower_formula(to: Lowering, given: LawPart) -> None:

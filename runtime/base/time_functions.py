@@ -1,7 +1,8 @@
-"""Prescribed functions of time with exact first and second rates, never differentiated numerically.
+"""Functions of time with exact first and second rates.
 
 A function of time is one of the classes below, a triple of functions, or a callable that takes a second-order
-jet (value, rate, acceleration); operators and NumPy functions work on jets.
+jet (value, rate, acceleration); operators and NumPy functions work on jets.  A callable that takes numbers only is
+enough where no rates are needed, as for a load.
 """
 
 from __future__ import annotations
@@ -9,7 +10,8 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any, Protocol, runtime_checkable
+from functools import partial
+from typing import Any, Protocol, TypeVar, runtime_checkable
 
 import numpy as np
 
@@ -22,6 +24,9 @@ from flexel.base.meaning import described, in_unit
 from flexel.base.nested import WITHIN
 from flexel.base.switching import next_switch, on_switch
 from flexel.base.time_tables import Table
+
+Found = TypeVar("Found")
+DIFFERENCE = 1e-6  # times between which a rate is a difference, relative to the time, or to a second
 
 
 @runtime_checkable
@@ -47,25 +52,43 @@ class TimeFormula(Constant):
 
     def rates(self, t: float) -> tuple[float, float, float]:
         """Return value, first and second rate at time t [s]."""
+        y = self._called(
+            Jet(t, 1.0, 0.0), t, ", using operators and NumPy functions; or give the triple (u, u', u'')"
+        )
+        return _finite((y.value, y.rate, y.acceleration), self.owner, t)
+
+    def value(self, t: float) -> float:
+        """Return the value at time t [s], for which the function may use anything that takes a number."""
+        return _finite((self._called(t, t).value, 0.0, 0.0), self.owner, t)[0]
+
+    def _called(self, argument: Any, t: float, remedy: str = "") -> Jet:
+        """Call the function with a jet, or with a number, at time t [s]."""
         try:
             with WITHIN:
-                y = as_jet(self.function(Jet(t, 1.0, 0.0)))
+                return as_jet(self.function(argument))
         except FlexelError:
             raise
         except Exception as error:  # a user's function may raise anything
             raise ModelError(
                 f"{self.owner}: the function failed at t = {t:g} s ({error}); it is called with one argument t and "
-                "must return one number, using operators and NumPy functions; or give the triple (u, u', u'')"
+                f"must return one number{remedy}"
             ) from error
-        return _finite((y.value, y.rate, y.acceleration), self.owner, t)
 
     def next_knot(self, t: float) -> float:
         """Return the first time after t [s] at which a comparison in the function is expected to change."""
-        return next_switch(self.function, t)
+        return self._watched(t, partial(next_switch, self.function, t), math.inf)
 
     def on_knot(self, t: float, within: float) -> bool:
         """Whether a comparison in the function changes within a given time [s] of t."""
-        return on_switch(self.function, t, within)
+        return self._watched(t, partial(on_switch, self.function, t, within), False)
+
+    def _watched(self, t: float, look: Callable[[], Found], otherwise: Found) -> Found:
+        """Look at the comparisons of the function at a time; a function that takes numbers only does not show them."""
+        try:
+            return look()
+        except Exception:  # a user's function may raise anything, as `math.exp` does for a jet
+            self.value(t)  # if it fails for a number, too, it is wrong
+            return otherwise
 
 
 @dataclass(frozen=True)
@@ -152,6 +175,51 @@ def on_knot(function: object, t: float, within: float) -> bool:
     """Whether a function of time is known not to be smooth within a given time [s] of t."""
     there: Callable[[float, float], bool] | None = getattr(function, "on_knot", None)
     return there is not None and there(t, within)
+
+
+def value_of(function: TimeFunction, t: float) -> float:
+    """Return the value of a function of time at time t [s]; for it alone a Python function takes a plain number."""
+    if isinstance(function, TimeScaled):
+        return value_of(function.function, function.factor * t)
+    return function.value(t) if isinstance(function, TimeFormula) else function.rates(t)[0]
+
+
+def rate_of(function: TimeFunction, t: float) -> float:
+    """Return the rate of a function of time at time t [s]: by a difference where a Python function has none."""
+    try:
+        return function.rates(t)[1]
+    except ModelError:
+        h = DIFFERENCE * max(abs(t), 1.0)
+        return (value_of(function, t + h) - value_of(function, t - h)) / (2 * h)
+
+
+def sampled(function: TimeFunction, begin: float, end: float, many: int, few: int) -> Array:
+    """Return the values of a function of time at many + 1 times [s], or few + 1 if it takes one time only.
+
+    They are NaN where the function fails at one of them: it says so where a motion gets there.
+    """
+    inner, factor = (
+        (function.function, function.factor) if isinstance(function, TimeScaled) else (function, 1.0)
+    )
+    times = factor * np.linspace(begin, end, many + 1)
+    try:
+        with WITHIN, np.errstate(all="ignore"):
+            values = np.asarray(_plain(inner)(times), dtype=float)
+        if values.shape == times.shape:
+            return values
+    except Exception:  # a user's function may raise anything for an array
+        pass
+    try:
+        return np.array([value_of(inner, t) for t in (factor * np.linspace(begin, end, few + 1)).tolist()])
+    except FlexelError:
+        return np.full(few + 1, np.nan)
+
+
+def _plain(function: TimeFunction) -> Callable[[Any], Any]:
+    """Return the user's function for the value alone."""
+    if isinstance(function, TimeFormula):
+        return function.function
+    return function.functions[0] if isinstance(function, Triple) else lambda t: function.rates(t)[0]
 
 
 def steady(function: TimeFunction) -> bool:

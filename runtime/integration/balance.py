@@ -183,7 +183,7 @@ class Saddle:
     def load_rate(self, b: Balance) -> tuple[Array, Array]:
         """Return the derivatives of r (nf,) and of the gap (nh,) with respect to the time at fixed x and mu."""
         s = self.structure
-        nodal, applied = self.system.loads.at(b.t, order=1)
+        nodal, applied = self.system.loads.rates(b.t)
         gap = np.zeros(self.roles.holonomic.size)
         if self.roles.motions:
             gap[self.roles.rigid.size :] = -self.roles.motion(b.t)[1]

@@ -125,7 +125,7 @@ class Dop853(MinimalRun):
 
     def advance(self) -> str | None:
         """Take one accepted step."""
-        end, rejected, careful, defect = self.stop, False, False, np.inf
+        end, rejected, careful, defect = self.latest, False, False, np.inf
         first_order, trials = self.steps.first_order, TRIALS
         wished = self._h
         while True:

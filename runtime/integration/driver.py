@@ -6,6 +6,7 @@ import logging
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -23,6 +24,7 @@ from flexel.integration.outcome import Integration, States
 from flexel.integration.passed import Passages
 from flexel.integration.sampling import Sampling
 from flexel.integration.segments import Pending, Segment
+from flexel.integration.time_scales import TimeScales
 from flexel.integration.watchdog import Watchdog
 from flexel.mechanics.impulse import struck
 from flexel.mechanics.kinematics import Kinematics
@@ -62,6 +64,7 @@ class Run(ABC):
     def __init__(self, system: CoreSystem, start: State, times: Array) -> None:
         self.times = times
         self.knots = Knots(system, float(times[0]), float(times[-1]))
+        self._time_functions = system.kinematics.time_functions
         self.result = Integration(States([start]), [], [], {}, "")
         self.sampling = Sampling(start.structure)
         self._callbacks = callbacks_of(start.structure.laws)
@@ -108,6 +111,16 @@ class Run(ABC):
         """When the next step ends at the latest: at the end, a knot, or an instant of a sampled controller."""
         end = min(float(self.times[-1]), self.knots.end)
         return min(end, self.sampling.stop(self.t, self.times)) if self.sampling.all else end
+
+    @property
+    def latest(self) -> float:
+        """When the next step ends at the latest: at a stop, or where it would miss how a function of time varies."""
+        return min(self.stop, self._scales.until(self.t)) if self._scales.any else self.stop
+
+    @cached_property
+    def _scales(self) -> TimeScales:
+        """How quickly the functions of time vary over the times with which the motion began."""
+        return TimeScales(self._time_functions, float(self.times[0]), float(self.times[-1]))
 
     @property
     def step(self) -> float | None:

@@ -12,13 +12,13 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
-from flexel.base.time_functions import calls_user
+from flexel.base.time_functions import calls_user, value_of
 
 if TYPE_CHECKING:
     from flexel.integration.segments import Segment
 
 COMPARED = 5  # times at which values are compared
-Given = list[tuple[float, list[tuple[float, float, float]]]]  # times, and the values of each function
+Given = list[tuple[float, list[float]]]  # times, and the values of each function
 
 
 def given_in(segments: Sequence[Segment], times: Array) -> Given:
@@ -26,7 +26,7 @@ def given_in(segments: Sequence[Segment], times: Array) -> Given:
     if not segments or not any(map(calls_user, segments[0].kinematics.time_functions)):
         return []
     some = times[np.unique(np.linspace(0, times.size - 1, COMPARED).astype(int))]
-    return [(float(t), [f.rates(float(t)) for f in segments[0].kinematics.time_functions]) for t in some]
+    return [(float(t), [value_of(f, float(t)) for f in segments[0].kinematics.time_functions]) for t in some]
 
 
 def check_given(segments: Sequence[Segment], given: Given) -> None:
@@ -39,10 +39,10 @@ def check_given(segments: Sequence[Segment], given: Given) -> None:
     """
     for t, values in given:
         for function, before in zip(segments[0].kinematics.time_functions, values, strict=True):
-            now = function.rates(t)
+            now = value_of(function, t)
             if now != before:
                 owner = getattr(function, "owner", "function of time")
                 raise ModelError(
-                    f"motion.at: {owner} has changed since the motion was computed ({before[0]:g} then, {now[0]:g} now "
+                    f"motion.at: {owner} has changed since the motion was computed ({before:g} then, {now:g} now "
                     f"at t = {t:g} s); simulate again, and give the times to store"
                 )

@@ -12,7 +12,7 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError
-from flexel.base.time_functions import TimeFunction, next_knot, on_knot
+from flexel.base.time_functions import TimeFunction, next_knot, on_knot, value_of
 from flexel.system import CoreSystem
 
 ASIDE = 1e-14  # distance from a knot at which a function is evaluated, relative to the times
@@ -105,7 +105,7 @@ class Knots:
                     f"'{name}' is prescribed to jump from {left[0]:.6g} to {right[0]:.6g} at t = {t:.9g} s, which "
                     "requires an infinite force; let it move within a finite time, for example by fx.Ramp"
                 )
-        loads = [(f.rates(before)[0], f.rates(after)[0]) for f in self._loads]
+        loads = [(value_of(f, before), value_of(f, after)) for f in self._loads]
         self._least = after
         self.look(after)
         if any(_jumps(left[1], right[1]) for left, right in motions):

@@ -92,7 +92,7 @@ class Radau(MinimalRun):
         wished = self._steps.struct.h
         while True:
             steps, c = self._steps, self._steps.struct
-            c.end, c.longest = self.stop, self.tolerances.max_step
+            c.end, c.longest = self.latest, self.tolerances.max_step
             c.shortest = max(SHORTEST * self._span, 10 * abs(np.nextafter(self.t, np.inf) - self.t))
             c.enlarged = max(1.0, self.amplification / max(1.0, self.choices.best))
             before = c.evaluations, c.refused
@@ -116,7 +116,7 @@ class Radau(MinimalRun):
         cut, h = c.h < wished and not c.rejected, c.h
         dense = steps.accept()
         last = steps.end(c.t)
-        if cut and c.t == self.stop and c.last_h == h:
+        if cut and c.t == c.end and c.last_h == h:
             c.h = max(c.h, wished)
         return self.end_step(first.t, dense, first, dense.end[dense.end.size - self.z.size :].copy(), last)
 

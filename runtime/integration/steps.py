@@ -241,9 +241,9 @@ class GeneralizedAlpha(Run):
 
     def _goal(self) -> float:
         """When the next step ends at the latest [s]: where a state is stored, but for constant steps at their ends."""
-        stop = self.stop
         if not self._constant:
-            return min(self.until, stop)
+            return min(self.until, self.latest)
+        stop = self.stop
         h = self.control.longest
         if self._anchor + self._multiple * h <= self.t + NEAR * h:
             self._multiple += 1

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from flexel.base.arrays import Array, Index
-from flexel.base.time_functions import Polynomial, TimeFunction, steady, time_scaled
+from flexel.base.time_functions import Polynomial, TimeFunction, rate_of, steady, time_scaled, value_of
 from flexel.model.structure import Structure
 
 
@@ -69,13 +69,19 @@ class Loads:
 
     def values(self, t: float) -> Array:
         """Return the loads (loads,) at time t."""
-        return np.array([f.rates(t)[0] for f in self._functions])
+        return np.array([value_of(f, t) for f in self._functions])
 
-    def at(self, t: float, order: int = 0) -> tuple[Array, Array]:
-        """Return nodal forces f (n,) and applied stresses (m + k,) at time t, or their first or second rates."""
+    def at(self, t: float) -> tuple[Array, Array]:
+        """Return nodal forces f (n,) and applied stresses (m + k,) at time t."""
+        return self._summed([value_of(f, t) for f in self._functions])
+
+    def rates(self, t: float) -> tuple[Array, Array]:
+        """Return the rates of the nodal forces (n,) and of the applied stresses (m + k,) at time t."""
+        return self._summed([rate_of(f, t) for f in self._functions])
+
+    def _summed(self, values: list[float]) -> tuple[Array, Array]:
         total = np.zeros(self._size)
-        if self._functions:
-            np.add.at(total, self._index, [f.rates(t)[order] for f in self._functions])
+        np.add.at(total, self._index, values)
         return total[self._split :], -total[: self._split]
 
     def power(self, t: float, rates: Array) -> float:
@@ -83,7 +89,7 @@ class Loads:
         P = 0.0
         for i, f, conservative in zip(self._index, self._functions, self._conservative, strict=True):
             if not conservative or i in self._slips:
-                P += f.rates(t)[0] * float(rates[i])
+                P += value_of(f, t) * float(rates[i])
         return P
 
     def potential(self, t: float, values: Array) -> float:
@@ -91,5 +97,5 @@ class Loads:
         U = 0.0
         for i, f, conservative in zip(self._index, self._functions, self._conservative, strict=True):
             if conservative and np.isfinite(values[i]):
-                U -= f.rates(t)[0] * float(values[i])
+                U -= value_of(f, t) * float(values[i])
         return U

@@ -108,7 +108,7 @@ def largest_stress(state: ElementOutputs) -> BeamStress:
 def _find(state: ElementOutputs, beam: str) -> Instance:
     """Return a beam that reports its section forces."""
     instances = state.structure.instances
-    found = next((instance for instance in instances if instance.name == beam), None)
+    found = next((one for one in instances if isinstance(beam, str) and one.name == beam), None)
     if found is not None and found.spec.reports(*SECTION_FORCES):
         return found
     if found is not None and found.spec.arm:

@@ -9,12 +9,14 @@ import flexel as fx
 
 
 class Impatience:
-    """A load that somebody interrupts once the motion has come to a time."""
+    """A load that somebody interrupts once the motion has come to a time; all times at once are looked at before."""
 
     def __init__(self, until: float) -> None:
         self.until = until
 
-    def __call__(self, t: float) -> float:
+    def __call__(self, t: Any) -> Any:
+        if np.ndim(t):
+            return np.ones_like(t)
         if t > self.until:
             raise KeyboardInterrupt
         return 1.0

@@ -68,7 +68,7 @@ def test_driving_forces_drive_the_free_mechanism_through_the_same_motion() -> No
 
 
 def float_of(t, first, second):  # noqa: ANN001, ANN201
-    z1, z2 = first.rates(t.value), second.rates(t.value)
+    z1, z2 = first.rates(t), second.rates(t)
     return moments(*zip(z1, z2, strict=True))
 
 

@@ -158,8 +158,8 @@ LOADS = {
         lambda m: m.load("pivot.angle", 1, follower=True), "'pivot.angle'", "leave follower"
     ),
     "norm": built(lambda m: m.load("R1.norm", 1), "'R1.norm'", "always constrained", "name another"),
-    "math.sin": built(
-        lambda m: m.load("pivot.angle", lambda t: math.sin(t)), "'pivot.angle'", "np.sin, not math.sin"
+    "function that fails": built(
+        lambda m: m.load("pivot.angle", _fails), "load on 'pivot.angle'", "no value", "one argument t"
     ),
     "slip not measured": built(
         lambda m: m.load("R1.omega.wx", 1),

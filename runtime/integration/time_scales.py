@@ -1,0 +1,125 @@
+"""How quickly the user's functions of time vary: steps are limited there, so that no pulse is stepped over.
+
+A method sees a load and a prescribed motion at the stages of its steps only.  Where all else is at rest, its steps
+grow, and a short pulse may lie between two stages.  So each function is looked at before the motion starts.
+"""
+
+from __future__ import annotations
+
+from bisect import bisect_right
+from collections.abc import Iterable, Iterator
+
+import numpy as np
+
+from flexel.base.arrays import Array
+from flexel.base.time_functions import TimeFunction, calls_user, next_knot, sampled
+
+INTERVALS = 4096  # into which a motion is divided where a function takes all times at once
+FEWER = 512  # where it is called for each time
+DETAIL = 1e-3  # deviation from a cubic through samples, over the range of the function, that counts
+STRETCH = (
+    6.0  # longest step, over the finest distance of samples at which there is a detail: ωh = 3 of a vibration
+)
+ROUNDED_RANGE = 1e-12  # range of a function, over its size, that is rounding
+SAMPLES_AWAY = 5  # distances of samples from a sample up to the farthest that its cubic goes through
+MOST_KNOTS = 1000
+FINER, LEVELS = (
+    128,
+    3,
+)  # intervals of a stretch in which details are finer than its samples, and how often it is divided
+MOST_STRETCHES = 32  # that are divided: a function with more is a noise
+CUBIC_MIDDLE = np.array([-1.0, 9.0, 9.0, -1.0]) / 16  # cubic through four samples, in their middle
+CUBIC_ASIDE = np.array([5.0, 15.0, -5.0, 1.0]) / 16  # the same, between the first two
+
+
+class TimeScales:
+    """The longest steps of one motion.
+
+    Parameters
+    ----------
+    functions : iterable of TimeFunction
+    begin, end : float
+        Times of the motion [s].
+    """
+
+    def __init__(self, functions: Iterable[TimeFunction], begin: float, end: float) -> None:
+        own = [f for f in functions if calls_user(f)] if end > begin else []
+        stretches = [list(_stretches(function, begin, end)) for function in own]
+        self._stretches = [tuple(zip(*found, (end, np.inf), strict=True)) for found in stretches if found]
+        self.any = bool(self._stretches)
+
+    def until(self, t: float) -> float:
+        """Return the time [s] at which a step from t ends at the latest.
+
+        It ends before each stretch for which it is too long.
+        """
+        longest = np.inf
+        for starts, limits in self._stretches:
+            for i in range(max(bisect_right(starts, t) - 1, 0), len(starts)):
+                if starts[i] - t >= longest:
+                    break
+                longest = min(longest, max(starts[i] - t, limits[i]))
+        return t + longest
+
+
+def _stretches(function: TimeFunction, begin: float, end: float) -> Iterator[tuple[float, float]]:
+    """Yield the beginnings of the stretches of a motion, and the longest steps over them [s]; none if it is smooth."""
+    values = sampled(function, begin, end, INTERVALS, FEWER)
+    size = float(np.ptp(values))
+    if size > ROUNDED_RANGE * float(np.max(np.abs(values))):  # neither constant, nor not finite
+        found = list(_divided(function, begin, end, values, DETAIL * size, LEVELS))
+        if min(limit for _, limit in found) < np.inf:
+            yield from found
+
+
+def _divided(
+    function: TimeFunction, begin: float, end: float, values: Array, least: float, levels: int
+) -> Iterator[tuple[float, float]]:
+    """Yield the stretches between two times [s] from samples there, with finer ones where these do not suffice."""
+    times = np.linspace(begin, end, values.size).tolist()
+    limits = _limits(values, least, times, _knots(function, begin, end))
+    first = [0, *(np.flatnonzero(limits[1:] != limits[:-1]) + 1).tolist()]  # equal neighbours are one stretch
+    finest = 1.5 * STRETCH * (end - begin) / (values.size - 1)  # less than that of the next distance
+    unresolved = [i for i in first if limits[i] <= finest]
+    divides = levels > 0 and len(unresolved) <= MOST_STRETCHES
+    for i, following in zip(first, [*first[1:], limits.size], strict=True):
+        if divides and limits[i] <= finest:
+            inner = sampled(function, times[i], times[following], FINER, FINER)
+            yield from _divided(function, times[i], times[following], inner, least, levels - 1)
+        else:
+            yield times[i], float(limits[i])
+
+
+def _limits(values: Array, least: float, times: list[float], knots: Array) -> Array:
+    """Return the longest step [s] over each interval between samples: some times the distance that shows a detail.
+
+    Details near knots do not count: every step ends there, whatever they are.
+    """
+    count, interval = values.size - 1, times[1] - times[0]
+    limits, stride = np.full(count, np.inf), 1
+    while 8 * stride <= count:
+        places = times[0] + interval * np.arange(stride, count, 2 * stride)
+        near = [np.searchsorted(knots, places + side * SAMPLES_AWAY * stride * interval) for side in (-1, 1)]
+        detail = (np.abs(_details(values[::stride])) > least) & (near[0] == near[1])
+        limits = np.minimum(
+            limits, np.repeat(np.where(detail, STRETCH * stride * interval, np.inf), 2 * stride)
+        )
+        stride *= 2
+    return limits
+
+
+def _details(values: Array) -> Array:
+    """Return how far every second sample lies from the cubic through its four neighbours among the others."""
+    kept, inner = values[::2], values[1::2]
+    four = np.lib.stride_tricks.sliding_window_view(kept, 4)
+    cubic = np.concatenate([[CUBIC_ASIDE @ four[0]], four @ CUBIC_MIDDLE, [CUBIC_ASIDE[::-1] @ four[-1]]])
+    return np.asarray(inner - cubic)
+
+
+def _knots(function: TimeFunction, begin: float, end: float) -> Array:
+    """Return the knots of a function between two times [s]."""
+    found: list[float] = []
+    t = begin
+    while len(found) < MOST_KNOTS and (t := next_knot(function, t)) < end:
+        found.append(t)
+    return np.array(found)
