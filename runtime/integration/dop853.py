@@ -174,7 +174,10 @@ class Dop853(MinimalRun):
         self._h = h * (min(1.0, factor) if rejected else factor)
         if t1 == end and not rejected:
             self._h = max(self._h, wished)  # it was cut short
-        return self._accepted(last)
+        ended = self._accepted(last)
+        if trials < TRIALS - 1:  # the step was cut: a contact begins or ends here
+            self._looks.forget()
+        return ended
 
     def _error(self) -> float:
         """The largest of the errors of a step, relative to what is allowed."""

@@ -326,7 +326,7 @@ class DenseRun(Run):
     def strike(self) -> None:
         """Continue from here with the rates just after an impulse."""
         self.now = struck(self._shown, self.now, self.knots.inside(self.t))
-        self._looks.struck()
+        self._looks.forget()
 
     def contradictions(self) -> list[EventSample]:
         """Return what contradicts the events that were reported."""

@@ -72,8 +72,8 @@ class EventSamples:
         """The functions at the end of the last step."""
         return self._values[-1]
 
-    def struck(self) -> None:
-        """Take into account that rates jump here: the functions may change faster than before."""
+    def forget(self) -> None:
+        """Forget how fast the functions changed: rates jump here, or a contact begins."""
         for own in self._slopes:
             own.clear()
 
@@ -82,7 +82,7 @@ class EventSamples:
         kept = bisect_left(self._times, t)
         self._times[kept:], self._values[kept:] = [t], [list(values)]
         self._reported = [[time for time in own if time <= t] for own in self._reported]
-        self.struck()
+        self.forget()
 
     def travel(self, number: int, t: float, value: float) -> float:
         """Return how much a function can change up to a time [s], where it has this value, as fast as it did lately.
