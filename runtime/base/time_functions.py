@@ -113,11 +113,26 @@ class Triple(Constant):
         except FlexelError:
             raise
         except Exception as error:  # a user's function may raise anything
-            raise ModelError(
-                f"{self.owner}: one of the functions (u, u', u'') failed at t = {t:g} s ({error}); each is called "
-                "with one number t and must return one number"
-            ) from error
+            raise self._failed(t, error) from error
         return _finite(values, self.owner, t)
+
+    def value(self, t: float) -> float:
+        """Return the value at time t [s], without its rates."""
+        try:
+            with WITHIN:
+                value = float(self.functions[0](t))
+        except FlexelError:
+            raise
+        except Exception as error:  # as above
+            raise self._failed(t, error) from error
+        return _finite((value, 0.0, 0.0), self.owner, t)[0]
+
+    def _failed(self, t: float, error: Exception) -> ModelError:
+        """Return the error of a function that has raised one."""
+        return ModelError(
+            f"{self.owner}: one of the functions (u, u', u'') failed at t = {t:g} s ({error}); each is called "
+            "with one number t and must return one number"
+        )
 
 
 @dataclass(frozen=True)
@@ -178,10 +193,10 @@ def on_knot(function: object, t: float, within: float) -> bool:
 
 
 def value_of(function: TimeFunction, t: float) -> float:
-    """Return the value of a function of time at time t [s]; for it alone a Python function takes a plain number."""
+    """Return the value of a function of time at time t [s]: of a Python function, without its rates."""
     if isinstance(function, TimeScaled):
         return value_of(function.function, function.factor * t)
-    return function.value(t) if isinstance(function, TimeFormula) else function.rates(t)[0]
+    return function.value(t) if isinstance(function, TimeFormula | Triple) else function.rates(t)[0]
 
 
 def rate_of(function: TimeFunction, t: float) -> float:
@@ -201,18 +216,18 @@ def sampled(function: TimeFunction, begin: float, end: float, many: int, few: in
     inner, factor = (
         (function.function, function.factor) if isinstance(function, TimeScaled) else (function, 1.0)
     )
-    times = factor * np.linspace(begin, end, many + 1)
-    try:
-        with WITHIN, np.errstate(all="ignore"):
-            values = np.asarray(_plain(inner)(times), dtype=float)
-        if values.shape == times.shape:
-            return values
-    except Exception:  # a user's function may raise anything for an array
-        pass
-    try:
-        return np.array([value_of(inner, t) for t in (factor * np.linspace(begin, end, few + 1)).tolist()])
-    except FlexelError:
-        return np.full(few + 1, np.nan)
+    plain, times = _plain(inner), factor * np.linspace(begin, end, many + 1)
+    with WITHIN, np.errstate(all="ignore"):
+        try:
+            values = np.asarray(plain(times), dtype=float)
+            if values.shape == times.shape:
+                return values
+        except Exception:  # a user's function may raise anything for an array
+            pass
+        try:
+            return np.array([float(plain(t)) for t in (factor * np.linspace(begin, end, few + 1)).tolist()])
+        except Exception:  # or at one of these times
+            return np.full(few + 1, np.nan)
 
 
 def _plain(function: TimeFunction) -> Callable[[Any], Any]:
