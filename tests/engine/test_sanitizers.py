@@ -31,7 +31,12 @@ STEP, SHORT, STEPS = 1e-3, 1e-5, 20  # as in the driver
 THREADS = 8
 KINDS = "thread", "address"
 # the first race ends a program: threads that spoil each other's arrays may never end
-CLEAN = os.environ | {"LD_PRELOAD": "", "TSAN_OPTIONS": "halt_on_error=1", "ASAN_OPTIONS": "", "UBSAN_OPTIONS": ""}
+CLEAN = os.environ | {
+    "LD_PRELOAD": "",
+    "TSAN_OPTIONS": "halt_on_error=1",
+    "ASAN_OPTIONS": "",
+    "UBSAN_OPTIONS": "",
+}
 FLAGS = [
     "-std=c11",
     "-O1",
