@@ -21,7 +21,7 @@ from campaign.ride import Ride
 TESTS = Path(__file__).resolve().parents[1]
 SEEDS = 10  # of `PART` motions each
 # Vibrations of 500 to 700 radians of quantities that move 200 times less than others of their kind, and more: errors of
-# steps, which are relative to what moves most, add up to 1.6 and 2.2 times the bound.
+# steps, which are relative to what moves most, add up to 1.1 to 1.6 and 2.0 to 2.2 times the bound.
 MINOR = {"6/planar truss/2", "9/spatial tree/2"}
 JUDGED = 60  # motions, drawn with the seed 0
 
@@ -63,7 +63,7 @@ def test_no_error_is_silent(seed: int) -> None:
     found = run(PART, seed)
     print(table(found))
     assert found["models"] == PART
-    assert silent(found) == {name for name in MINOR if name.startswith(f"{seed}/")}, table(found)
+    assert silent(found) <= MINOR, table(found)
 
 
 @pytest.mark.campaign
