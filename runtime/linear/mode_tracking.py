@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexel.base.arrays import Array, Index
-from flexel.linear.tracking import Branches
+from flexel.linear.tracking import EQUAL_TOLERANCE, Branches
 
 AXES = ("x", "y", "z", "turn about x", "turn about y", "turn about z")
 
@@ -58,5 +58,12 @@ def among_lowest(values: Array, count: int) -> NDArray[np.bool_]:
 
 
 def ranks(values: Array) -> Index:
-    """Return the place of each value (steps, lines) in its row by size, unknown ones (NaN) last."""
-    return np.argsort(np.argsort(np.abs(values), axis=1, kind="stable"), axis=1)
+    """Return the place of each value (steps, lines) in its row by size, unknown ones (NaN) last.
+
+    Of equal values, up to rounding, that of the line before comes first.
+    """
+    size = np.where(np.isfinite(values), np.abs(values), np.inf)
+    smaller = size[:, None, :] < (1 - EQUAL_TOLERANCE) * size[:, :, None]
+    equal = ~smaller & ~smaller.transpose(0, 2, 1)
+    lines = np.arange(size.shape[1])
+    return np.asarray((smaller | equal & (lines < lines[:, None])).sum(axis=2))

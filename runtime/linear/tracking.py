@@ -138,15 +138,17 @@ class Branches:
     def names(self) -> list[str]:
         """Name each family by the state with the largest share in it, numbered if several have the same.
 
-        Of states with equal shares, up to rounding, the first one is taken.
+        Of states with equal shares, up to rounding, the first one is taken. Where an eigenvalue equals another one, its
+        vector is an arbitrary combination, and does not count unless there is no other.
         """
         if self.shares is None or not self.labels:
             return [f"branch {i + 1}" for i in range(len(self.families))]
         unique = list(dict.fromkeys(self.labels))
         to = np.array([unique.index(label) for label in self.labels])
-        largest = []
+        alone, largest = np.array([_alone(w) for w in self.eigenvalues]), []
         for family in self.families:
-            mean = np.nanmean(self.shares[:, family], axis=(0, 1))
+            clear = alone[:, family].all(axis=1) & np.isfinite(self.eigenvalues[:, family]).all(axis=1)
+            mean = np.nanmean(self.shares[clear if clear.any() else slice(None)][:, family], axis=(0, 1))
             largest.append(unique[int(np.argmax(np.bincount(to, mean, len(unique)).round(SHARE_DIGITS)))])
         return [
             name if largest.count(name) == 1 else f"{name} ({largest[: i + 1].count(name)})"
@@ -269,6 +271,7 @@ def _likeness(left: ComplexArray, right: ComplexArray, left2: ComplexArray, righ
 
 
 def _alone(w: ComplexArray) -> NDArray[np.bool_]:
-    """Whether no other eigenvalue is nearly equal."""
+    """Whether no other eigenvalue is nearly equal; unknown ones (NaN) are equal to none."""
     apart = np.abs(w[:, None] - w[None, :]) + np.diag(np.full(w.size, np.inf))
-    return np.asarray(apart.min(axis=1, initial=np.inf) > EQUAL_TOLERANCE * np.abs(w).max(initial=0.0))
+    least = np.fmin.reduce(apart, axis=1, initial=np.inf)
+    return np.asarray(least > EQUAL_TOLERANCE * np.fmax.reduce(np.abs(w), initial=0.0))

@@ -5,6 +5,7 @@ import pytest
 
 from flexel.base.arrays import Array
 from flexel.examples import bicycle_data as data
+from flexel.linear.mode_tracking import among_lowest, ranks
 from flexel.linear.tracking import Branches
 
 SPEEDS = np.linspace(0, 10, 41)
@@ -117,3 +118,21 @@ def test_rigid_body_motions_are_no_boundaries() -> None:
         K = k * np.array([[1.0, -1.0], [-1.0, 1.0]])
         matrices.append(np.block([[-1e-3 * K, -K], [np.eye(2), np.zeros((2, 2))]]))
     assert Branches.of(np.linspace(1, 2, 21), matrices).boundaries() == []
+
+
+@pytest.mark.parametrize("angle", [-0.6, -0.2, 0.0, 0.3, 0.7])
+def test_combinations_of_equal_modes_do_not_change_names(angle: float) -> None:
+    """Two modes, each with two displacements of one size, cross in the middle, where their shapes are arbitrary."""
+    p, own = np.linspace(-1.0, 1.0, 5), np.array([[1.0, 1.0, 0.0], [1.0, -1.0, 0.0], [0.0, 0.0, 1.0]])
+    values = np.sort(np.stack([2.0 + p, 2.0 - p, np.full(5, 4.0)], axis=1), axis=1)
+    turned = np.array([[np.cos(angle), np.sin(angle), 0], [-np.sin(angle), np.cos(angle), 0], [0, 0, 1]])
+    shapes = np.stack([own, own, turned @ own, own[[1, 0, 2]], own[[1, 0, 2]]])
+    assert Branches.of_shapes(p, values, shapes, ["x", "y", "z"]).names == ["x (1)", "x (2)", "z"]
+
+
+@pytest.mark.parametrize("off", [-1e-12, 0.0, 1e-12])
+def test_of_modes_that_are_equal_up_to_rounding_the_first_is_among_the_lowest(off: float) -> None:
+    values = np.array([[1.0, 2.0, 5.0, np.nan], [1.0, 4.0, 4.0 + off, 3.0], [1.0, 2.0, 5.0, 9.0]])
+    assert ranks(values)[1].tolist() == [0, 2, 3, 1]
+    assert among_lowest(values, 3).tolist() == [True, True, True, True]
+    assert among_lowest(values[1:2], 3).tolist() == [True, True, False, True]
