@@ -220,13 +220,13 @@ class Dop853(MinimalRun):
         """Whether the solved rates are the predicted ones: near an extreme of a degree of freedom they are not.
 
         A defect no smaller than that of a longer, refused step is not an error of the step. Later steps may have such a
-        defect too, within the tolerance, or each would have to be shorter than the last.
+        defect too, within the tolerance that the coordinates enlarge, or each would have to be shorter than the last.
         """
         c, allowed = self.steps.struct, self._allowed()
         enlarged = max(self.amplification, 1.0)  # zero where every motion is prescribed
         if c.defect_v > min(c.error_v, PREDICTED * c.fastest) + enlarged * allowed:
             return False  # without an impulse rates do not jump
-        expected = TRUE * (c.error_v + allowed) + min(self._noise, allowed)
+        expected = TRUE * (c.error_v + allowed) + min(self._noise, enlarged * allowed)
         if c.defect_v <= expected or self.steps.choice.amplification() <= UNAMPLIFIED:
             return True
         if stays := bool(c.defect_v > STAYS * longer):
