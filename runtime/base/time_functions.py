@@ -194,9 +194,9 @@ def on_knot(function: object, t: float, within: float) -> bool:
 
 def value_of(function: TimeFunction, t: float) -> float:
     """Return the value of a function of time at time t [s]: of a Python function, without its rates."""
-    if isinstance(function, TimeScaled):
-        return value_of(function.function, function.factor * t)
-    return function.value(t) if isinstance(function, TimeFormula | Triple) else function.rates(t)[0]
+    if isinstance(function, TimeFormula | Triple | TimeScaled):
+        return function.value(t)
+    return function.rates(t)[0]
 
 
 def rate_of(function: TimeFunction, t: float) -> float:
@@ -213,10 +213,7 @@ def sampled(function: TimeFunction, begin: float, end: float, many: int, few: in
 
     They are NaN where the function fails at one of them: it says so where a motion gets there.
     """
-    inner, factor = (
-        (function.function, function.factor) if isinstance(function, TimeScaled) else (function, 1.0)
-    )
-    plain, times = _plain(inner), factor * np.linspace(begin, end, many + 1)
+    plain, times = _plain(function), np.linspace(begin, end, many + 1)
     with WITHIN, np.errstate(all="ignore"):
         try:
             values = np.asarray(plain(times), dtype=float)
@@ -225,13 +222,16 @@ def sampled(function: TimeFunction, begin: float, end: float, many: int, few: in
         except Exception:  # a user's function may raise anything for an array
             pass
         try:
-            return np.array([float(plain(t)) for t in (factor * np.linspace(begin, end, few + 1)).tolist()])
+            return np.array([float(plain(t)) for t in np.linspace(begin, end, few + 1).tolist()])
         except Exception:  # or at one of these times
             return np.full(few + 1, np.nan)
 
 
 def _plain(function: TimeFunction) -> Callable[[Any], Any]:
-    """Return the user's function for the value alone."""
+    """Return the user's function for the value alone, of one time or, if it takes them, of many."""
+    if isinstance(function, TimeScaled):
+        inner, factor = _plain(function.function), function.factor
+        return lambda t: inner(factor * t)
     if isinstance(function, TimeFormula):
         return function.function
     return function.functions[0] if isinstance(function, Triple) else lambda t: function.rates(t)[0]
@@ -260,6 +260,10 @@ class TimeScaled(Constant):
         """Return value, first and second rate at time t [s]."""
         u, v, a = self.function.rates(self.factor * t)
         return u, self.factor * v, self.factor**2 * a
+
+    def value(self, t: float) -> float:
+        """Return the value at time t [s]."""
+        return value_of(self.function, self.factor * t)
 
     def next_knot(self, t: float) -> float:
         """Return the first knot after time t [s]."""

@@ -30,11 +30,12 @@ class Event(Constant):
     -----
     A motion that starts at an event, for example from its state, does not trigger it again immediately.
 
-    The function is evaluated inside a step too, unless it is further from zero than it can change in the step, as
-    fast as it changed in the last three.  Two crossings in one step are found if the function is continuous and its
-    size has a single minimum between them and the samples around them, at quarters of the step and near its ends.
-    A function that only touches zero does not cross it.  A function that jumps, such as one that is 1 within a gate
-    and -1 elsewhere, may be missed: give a distance that changes sign, or a `max_step` shorter than the passage.
+    The function is evaluated once per step while it is further from zero than it would move in the step at the
+    fastest rate of the last few steps, and inside the step otherwise. Two crossings in one step are found if the
+    function is continuous and its size has a single minimum between them and the samples around them, at quarters
+    of the step and near its ends. A function that only touches zero does not cross it. A function that jumps, such
+    as one that is 1 within a gate and -1 elsewhere, may be missed: give a distance that changes sign, or a
+    `max_step` shorter than the passage.
     """
 
     name: str
