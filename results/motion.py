@@ -196,7 +196,8 @@ class Motion(Trajectory):
         path : path, optional
             Ends in ``.html``.  Without it the page is returned, which a notebook shows as the result of a cell.
         frames : int
-            Equally spaced in time; for a motion without dense output, that many of its stored states.
+            Equally spaced in time; for a motion by generalized-alpha or from a file, that many of its
+            stored states.
         between : (start, end), optional
             Times [s] of the part to show; all by default.
         view : View, optional

@@ -95,8 +95,8 @@ def animate(
         ``.gif`` (needs Pillow, which comes with matplotlib), ``.mp4`` (needs the program ffmpeg), or ``.html``: the
         page of `Motion.view`.
     fps : float
-        Frames per second of the picture; the page interpolates between them.  For a motion without dense output
-        (implicit integration, a file) the frames are the stored states nearest to their times.
+        Frames per second of the picture; the page interpolates between them.  For a motion by generalized-alpha
+        or from a file, the frames are the stored states nearest to their times.
     view : View, optional
         Camera, window, trails and sketches; by default the window contains the whole motion.
     between : (start, end), optional
@@ -141,7 +141,7 @@ def animate(
 
         shown: dict[str, Any] = {"view": view, "title": title, "caption": caption, "progress": progress}
         return view_motion(motion, path, frames=count, between=between, slower=slower, **shown)
-    state_at = motion.at if motion.dense else motion.nearest
+    state_at = motion.at if motion.interpolates else motion.nearest
     states = [state_at(float(t)) for t in np.linspace(start, end, count)]
     view = _whole(states) if view is None else view_of(view, owner)
     drawn = _frames(states, view, title, size, dpi)

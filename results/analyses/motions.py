@@ -51,11 +51,12 @@ def simulate(
 ) -> Motion:
     """Simulate the motion; if every motion is prescribed, compute positions and driving forces.
 
-    DOP853 and Radau integrate the degrees of freedom; they locate events and give states at any time (`Motion.at`).
-    The generalized-alpha method integrates all coordinates together with the constraint forces, at a cost per step
-    that grows linearly with the number of elements; it is for stiff and large models, and gives the energy balance.
-    A step is halved if it does not converge, and up to a few times where a contact begins. Other integrators, such as
-    those of ``scipy.integrate.solve_ivp``, can integrate `System.rhs`.
+    DOP853 and Radau integrate the degrees of freedom.  The generalized-alpha method integrates all coordinates together
+    with the constraint forces, at a cost per step that grows linearly with the number of elements; it is for stiff and
+    large models, and gives the energy balance.  A step is halved if it does not converge, and up to a few times where a
+    contact begins.  All methods locate events and give states at any time (`Motion.at`); generalized-alpha takes the
+    steps that lead there again.  Other integrators, such as those of ``scipy.integrate.solve_ivp``, can integrate
+    `System.rhs`.
 
     Parameters
     ----------
@@ -96,7 +97,7 @@ def simulate(
     step : float, optional
         For generalized-alpha: constant step [s] instead of step control by the tolerances, whatever `samples` and
         `times` are; states between its multiples are found by a shorter step each.  A step is shorter only at the end,
-        before a knot, at an instant of a sampled controller, or where it is not found.
+        at a terminal event, before a knot, at an instant of a sampled controller, or where it is not found.
     first_step, max_step : float
         [s]; the first step of generalized-alpha is a thousandth of the duration by default.
     spectral_radius : float, optional
@@ -106,7 +107,7 @@ def simulate(
         For generalized-alpha: full (default), a new tangent at every iteration; modified, the last one is kept
         while the iteration converges.
     events : sequence of Event
-        For DOP853 and Radau.
+        Reported in ``motion.events``; a terminal one ends the motion.
     progress : bool, optional
         Progress bar on stderr; by default where stderr is a terminal.
     rechoose : bool, optional

@@ -21,7 +21,7 @@ from flexel.integration.carried import CLOSE, Carried
 from flexel.integration.collocation import Sweeps
 from flexel.integration.knots import Knots
 from flexel.integration.path import Path
-from flexel.integration.segments import Segment
+from flexel.integration.segments import Stretch
 from flexel.mechanics.amplification import amplification
 from flexel.mechanics.kinematics import Kinematics
 from flexel.model.snapshot import Snapshot
@@ -46,7 +46,7 @@ class Crossing:
 
     Attributes
     ----------
-    segments : list of Segment
+    segments : list of Stretch
         Its steps.
     now : Snapshot
     z : ndarray (nz,)
@@ -65,7 +65,7 @@ class Crossing:
         That were made.
     """
 
-    segments: list[Segment]
+    segments: list[Stretch]
     now: Snapshot
     z: Array
     since: float
@@ -107,7 +107,7 @@ class Crossing:
                 found.append(t0)
         return found
 
-    def _known(self) -> list[Segment]:
+    def _known(self) -> list[Stretch]:
         """Return the steps that lead up to now without a gap, all of them smooth."""
         until, first = self.now.t, len(self.segments)
         least = max(first - MOST, 0)

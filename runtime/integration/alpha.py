@@ -7,6 +7,7 @@ control.
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import asdict
 
 import numpy as np
@@ -39,12 +40,15 @@ class AlphaStepper(Saddle):
         Current time [s].
     stepping : Stepping
         The current point, and the end of a step that was found.
+    arguments : tuple
+        With which another one is made.
     """
 
-    def __init__(
-        self, system: CoreSystem, start: State, radius: float, newton: str, tolerance: float = 0.0
-    ) -> None:
+    t = 0.0
+
+    def __init__(self, system: CoreSystem, radius: float, newton: str, tolerance: float = 0.0) -> None:
         super().__init__(system, work=Workspace(system.evaluation.tables))
+        self.arguments = system, radius, newton, tolerance
         if newton not in ("full", "modified"):
             raise ModelError(f"simulate: newton {newton!r} is unknown; choose full or modified")
         self.scheme = Scheme.with_radius(radius, bool(self.force_rows.size))
@@ -59,7 +63,6 @@ class AlphaStepper(Saddle):
         c.forces = FORCES * max(min(LOOSE / tolerance, 1.0), 0.1) if coarse else FORCES
         self._selection = ContactSelection(self.work)
         self._chosen = not self._selection.worthwhile
-        self.begin(start)
 
     def expect(self, start: State, duration: float, tolerance: float, absolute: float) -> None:
         """Scale the tolerance by how far a motion may go, at least; it stays above `absolute`, and above noise.
@@ -86,9 +89,13 @@ class AlphaStepper(Saddle):
 
     def follow(self, other: AlphaStepper) -> None:
         """Continue from the current point of another stepper."""
-        self.t = other.t
-        for name, values in other.stepping.old.items():
-            self.stepping.old[name][:] = values
+        self.take(other.t, other.stepping.old)
+
+    def take(self, t: float, values: Mapping[str, Array]) -> None:
+        """Continue from the vectors of `Stepping.old` at a time [s]."""
+        self.t = t
+        for name, array in values.items():
+            self.stepping.old[name][:] = array
         self.stepping.begin()
 
     def step(self, h: float) -> bool:
@@ -139,6 +146,13 @@ class AlphaStepper(Saddle):
 
     def current(self) -> Balance:
         """Return the balance at the current time."""
-        p = self.stepping.old
+        return self.balance_at(self.t, self.stepping.old)
+
+    def found(self, t: float) -> Balance:
+        """Return the balance at the end of the step that was found, at time t [s]."""
+        return self.balance_at(t, self.stepping.now)
+
+    def balance_at(self, t: float, p: Mapping[str, Array]) -> Balance:
+        """Return the balance at a time [s], for vectors such as those of `Stepping.old`."""
         self.z, self.balancing.struct.implicit = p["z"], 0
-        return self.balance(self.t, p["x"], p["v"], p["a"], p["mu"], p["e"])
+        return self.balance(t, p["x"], p["v"], p["a"], p["mu"], p["e"])

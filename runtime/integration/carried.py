@@ -13,7 +13,7 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.integration.path import Path
-from flexel.integration.segments import Pending, Segment
+from flexel.integration.segments import Pending, Stretch
 from flexel.mechanics import dynamics
 from flexel.mechanics.kinematics import Kinematics
 from flexel.mechanics.states import between
@@ -26,7 +26,7 @@ CLOSE = (
 
 
 @dataclass(frozen=True)
-class Carried(Segment):
+class Carried(Stretch):
     """A step across a flat position.
 
     Attributes

@@ -7,7 +7,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import cached_property
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
@@ -23,7 +23,7 @@ from flexel.integration.knots import FORCES, RATES, Knots
 from flexel.integration.outcome import Integration, States
 from flexel.integration.passed import Passages
 from flexel.integration.sampling import Sampling
-from flexel.integration.segments import Pending, Segment
+from flexel.integration.segments import Pending, Segment, Stretch
 from flexel.integration.time_scales import TimeScales
 from flexel.integration.watchdog import Watchdog
 from flexel.mechanics.impulse import struck
@@ -59,10 +59,11 @@ class Run(ABC):
     """
 
     method: str
-    events: Sequence[Event] = ()
 
-    def __init__(self, system: CoreSystem, start: State, times: Array) -> None:
-        self.times = times
+    def __init__(self, system: CoreSystem, start: State, times: Array, events: Sequence[Event]) -> None:
+        self.times, self.events = times, events
+        self._span = float(times[-1] - times[0])
+        self._looks = EventSamples(events, start.t, [value(event, start) for event in events])
         self.knots = Knots(system, float(times[0]), float(times[-1]))
         self._time_functions = system.kinematics.time_functions
         self.result = Integration(States([start]), [], [], {}, "")
@@ -139,6 +140,28 @@ class Run(ABC):
     @abstractmethod
     def strike(self) -> None:
         """Continue from here with the rates just after an impulse: prescribed rates jump at the current time."""
+        self._looks.forget()
+
+    def report_events(self, step: Segment, last: Callable[[], State]) -> tuple[Event, State] | None:
+        """Report the events within a step up to the first terminal one; return that and the state there, if any.
+
+        Parameters
+        ----------
+        step : Segment
+        last : callable() -> State
+            At its end.
+        """
+        if not self.events:
+            return None
+        times = float(self.times[0]), self._span
+        found, values = passages(self.events, step, last(), self._looks, times)
+        self._looks.note(step.t1, values, found)
+        terminal = next((passage for passage in found if passage[0].terminal), None)
+        end = terminal[1].t if terminal else step.t1
+        for event, state in [passage for passage in found if passage[1].t <= end]:
+            log.info("t = %.9g s: event '%s'", state.t, event.name)
+            self.result.events.append((event.name, state))
+        return terminal
 
     def _pass_knots(self) -> None:
         """Cross the knot at the current time if there is one, and look for the next."""
@@ -235,7 +258,8 @@ class Run(ABC):
 
     def contradictions(self) -> list[EventSample]:
         """Return what contradicts the events that were reported."""
-        return []
+        result = self.result
+        return list(self._looks.contradictions(result.states, result.segments))
 
     def passages(self) -> Passages:
         """Return the contacts that were passed within steps."""
@@ -268,7 +292,7 @@ class Run(ABC):
 
 
 class DenseRun(Run):
-    """A motion with dense output, in which events can be located.
+    """A motion in minimal coordinates, whose steps have a dense output.
 
     Attributes
     ----------
@@ -277,11 +301,9 @@ class DenseRun(Run):
     """
 
     def __init__(self, system: Any, start: State, times: Array, events: Sequence[Event]) -> None:
-        super().__init__(system, start, times)
-        self.system, self.events = system, events
+        super().__init__(system, start, times, events)
+        self.system = system
         self.now, self.z = Snapshot.of(start), start.z
-        self._looks = EventSamples(events, start.t, [value(event, start) for event in events])
-        self._span = float(times[-1] - times[0])
         self._shown: Kinematics = system.kinematics_of(start.roles)
         # what the user's functions give later may be something else: states are then completed at once
         self._at_once = bool(self._callbacks) or any(map(calls_user, self._shown.time_functions))
@@ -299,9 +321,14 @@ class DenseRun(Run):
         return self.now.t
 
     @property
+    def stretches(self) -> list[Stretch]:
+        """The steps so far."""
+        return cast("list[Stretch]", self.result.segments)
+
+    @property
     def step(self) -> float | None:
         """The length of the last step [s]."""
-        return self.result.segments[-1].t1 - self.result.segments[-1].t0 if self.result.segments else None
+        return self.stretches[-1].t1 - self.stretches[-1].t0 if self.stretches else None
 
     @property
     def instant(self) -> tuple[Snapshot, Array]:
@@ -315,7 +342,7 @@ class DenseRun(Run):
 
     def _pending(self) -> Pending:
         """Return the state at the current time, to be completed in the degrees of freedom of the last step."""
-        steps = self.result.segments
+        steps = self.stretches
         return Pending(steps[-1].kinematics if steps else self._shown, self._shown, self.now, self.z)
 
     def keep(self) -> None:
@@ -325,58 +352,48 @@ class DenseRun(Run):
 
     def strike(self) -> None:
         """Continue from here with the rates just after an impulse."""
+        super().strike()
         self.now = struck(self._shown, self.now, self.knots.inside(self.t))
-        self._looks.forget()
-
-    def contradictions(self) -> list[EventSample]:
-        """Return what contradicts the events that were reported."""
-        result = self.result
-        return list(self._looks.contradictions(result.states, result.segments))
 
     def passages(self) -> Passages:
         """Return the contacts that were passed within steps."""
-        self.passed.look((step.first, step.last) for step in self.result.segments)
+        self.passed.look((step.first, step.last) for step in self.stretches)
         return self.passed
 
     def rewind(self, now: Snapshot, z: Array) -> None:
         """Continue from an earlier instant, with what was stored since then dropped."""
-        result = self.result
-        while result.segments and result.segments[-1].t0 >= now.t:
-            result.segments.pop()
-        if result.segments and result.segments[-1].t1 > now.t:
-            result.segments[-1] = replace(result.segments[-1], t1=now.t)
+        result, steps = self.result, self.stretches
+        while steps and steps[-1].t0 >= now.t:
+            steps.pop()
+        if steps and steps[-1].t1 > now.t:
+            steps[-1] = replace(steps[-1], t1=now.t)
         result.cut(int(np.searchsorted(result.states.times, now.t, side="right")))
         result.events[:] = [found for found in result.events if found[1].t <= now.t]
         self.now, self.z = now, z
         state = self.present
         self._looks.back(now.t, [value(event, state) for event in self.events])
 
-    def accept(self, step: Segment, z: Array) -> str | None:
+    def accept(self, step: Stretch, z: Array) -> str | None:
         """Continue from the end of a step, or end at a terminal event within it and return its message."""
-        terminal: tuple[Event, State] | None = None
-        if self.events:
-            last = step.end(z).state()
-            times = float(self.times[0]), self._span
-            found, values = passages(self.events, step, last, self._looks, times)
-            self._looks.note(step.t1, values, found)
-            terminal = next((passage for passage in found if passage[0].terminal), None)
-            end = terminal[1].t if terminal else step.t1
-            for event, z_event in [passage for passage in found if passage[1].t <= end]:
-                log.info("t = %.9g s: event '%s'", z_event.t, event.name)
-                self.result.events.append((event.name, z_event))
+        terminal = self.report_events(step, lambda: step.end(z).state())
         end = terminal[1].t if terminal else step.t1
         self._store(step, end, z)
         self.result.segments.append(replace(step, t1=end) if terminal else step)
         self.now, self.z, self._shown = step.last, z, step.shown
         if terminal:
             self.now, self.z = Snapshot.of(terminal[1]), terminal[1].z
-            return f"stopped by event '{terminal[0].name}'"
+            return ended_by(terminal[0])
         return None
 
-    def _store(self, step: Segment, end: float, z: Array) -> None:
+    def _store(self, step: Stretch, end: float, z: Array) -> None:
         """Store the states at the times passed by the step, at whose end the internal states are z."""
         states = self.result.states
         while len(states) < self.times.size and self.until <= end:
             at_end = self.until == step.last.t
             found = step.end(z) if at_end else step.pending(self.until)
             states.append(found.state() if self._at_once else found)
+
+
+def ended_by(event: Event) -> str:
+    """Return the message of a motion that an event has ended."""
+    return f"stopped by event '{event.name}'"

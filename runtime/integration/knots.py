@@ -42,6 +42,24 @@ class LawKnots:
         return bool((np.abs(self.times - t) <= within).any())
 
 
+@dataclass(frozen=True)
+class Interval:
+    """A stretch of time between two knots, in which functions of time are smooth.
+
+    Attributes
+    ----------
+    first, last : float
+        The first and the last time [s] at which they are evaluated, just inside; infinite where there is no knot.
+    """
+
+    first: float = -np.inf
+    last: float = np.inf
+
+    def inside(self, t: float) -> float:
+        """Return the time, or the nearest one within the interval."""
+        return min(max(t, self.first), self.last)
+
+
 class Knots:
     """The knots of one motion, from the present step on.
 
@@ -55,6 +73,8 @@ class Knots:
     ----------
     end : float
         The next knot [s]; infinite if there is none.
+    interval : Interval
+        The present one.
     """
 
     def __init__(self, system: CoreSystem, begin: float, end: float) -> None:
@@ -66,9 +86,9 @@ class Knots:
             *laws,
         ]
         self._size = max(abs(begin), abs(end))
-        self._least, self.end = -np.inf, np.inf
+        self.end, self.interval = np.inf, Interval()
         if any(on_knot(f, begin, self._aside(begin)) for f in self._functions):
-            self._least = begin + self._aside(begin)
+            self.interval = Interval(begin + self._aside(begin))
 
     def _aside(self, t: float) -> float:
         """Return the distance [s] from a knot at which functions are evaluated."""
@@ -81,13 +101,18 @@ class Knots:
 
     def inside(self, t: float) -> float:
         """Return the time, or one just inside the present interval between knots if it is at its end or beyond."""
-        later = max(t, self._least)
-        return later if self.end == np.inf else min(later, self.end - self._aside(self.end))
+        return self.interval.inside(t)
 
     def look(self, t: float) -> None:
         """Find the next knot after a time within the present interval."""
-        t = max(t, self._least)
-        self.end = min(next_knot(f, t) for f in self._functions)
+        self._look(max(t, self.interval.first), self.interval.first)
+
+    def _look(self, t: float, first: float) -> None:
+        """Find the next knot after a time, in an interval that is entered at another."""
+        end = min(next_knot(f, t) for f in self._functions)
+        if end != self.end or first != self.interval.first:
+            self.end = end
+            self.interval = Interval(first, end if end == np.inf else end - self._aside(end))
 
     def cross(self, t: float) -> str:
         """Enter the interval after the knot at t; return what jumps there.
@@ -106,8 +131,7 @@ class Knots:
                     "requires an infinite force; let it move within a finite time, for example by fx.Ramp"
                 )
         loads = [(value_of(f, before), value_of(f, after)) for f in self._loads]
-        self._least = after
-        self.look(after)
+        self._look(after, after)
         if any(_jumps(left[1], right[1]) for left, right in motions):
             return RATES
         forces = any(_jumps(left, right) for left, right in loads)

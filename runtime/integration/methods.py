@@ -11,6 +11,7 @@ import numpy as np
 from flexel.base.arguments import step_limit, vector
 from flexel.base.arrays import Array
 from flexel.base.errors import FlexelError, ModelError
+from flexel.integration.alpha import AlphaStepper
 from flexel.integration.dop853 import Dop853
 from flexel.integration.driver import Run
 from flexel.integration.events import Event
@@ -67,7 +68,7 @@ class Options:
     step: Any = _of(ALPHA)
     spectral_radius: Any = _of(ALPHA)
     newton: Any = _of(ALPHA)
-    events: tuple[Event, ...] | None = _of(AUTO, EXPLICIT, RADAU)
+    events: tuple[Event, ...] | None = _of(AUTO, EXPLICIT, RADAU, ALPHA)
     rechoose: bool | None = _of(AUTO, EXPLICIT, RADAU)
     minor: float | None = _of()  # of Radau, see `Tolerances`; only "auto" sets it
 
@@ -125,7 +126,7 @@ def start_of(system: CoreSystem, method: str, start: Any, options: Options) -> S
     try:
         return system.initial
     except InertiaError:
-        if method in (EXPLICIT, RADAU) or options.events:
+        if method in (EXPLICIT, RADAU):
             raise
         return system.unaccelerated
 
@@ -143,8 +144,6 @@ def automatic(
     if found.method == EXPLICIT:  # as where a law has an infinite derivative at the start
         start = _soon(system, start, duration)
         found = suitable(system, start)
-    if found.method == ALPHA and options.events:
-        return _because(EXPLICIT, f"events are given, which {ALPHA} does not locate", options)
     if found.method:
         return _because(found.method, found.why, options)
     is_stiff, why = (True, found.why) if found.is_large else stiff(system, start, found, duration)
@@ -162,7 +161,7 @@ def automatic(
             return _because(
                 EXPLICIT, f"{why}; {RADAU} would not take fewer evaluations" * is_stiff or why, options
             )
-    if is_stiff and not options.events:
+    if is_stiff:
         return _because(ALPHA, why, options)
     return _because(EXPLICIT, why, options)
 
@@ -306,4 +305,5 @@ def _alpha(system: CoreSystem, start: State, times: Array, duration: float, opti
         absolute = 0.0 if options.atol is None else options.number("atol", 0.0)
         control = Control(tolerance, options.first or duration / 1000, longest, absolute)
     radius = RADIUS if options.spectral_radius is None else options.spectral_radius
-    return GeneralizedAlpha(system, start, times, radius, options.newton or NEWTON, control)
+    stepper = AlphaStepper(system, radius, options.newton or NEWTON, control.tolerance)
+    return GeneralizedAlpha(system, start, times, stepper, control, options.events or ())

@@ -263,7 +263,7 @@ class MinimalRun(DenseRun):
         if self.counts["steps"] < self._next_crossing:
             return []
         crossing = Crossing(
-            self.result.segments,
+            self.stretches,
             self.now,
             self.z,
             self.smooth_since,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from dataclasses import dataclass, replace
+from typing import ClassVar
 
 from flexel.base.arrays import Array
 from flexel.base.copies import Portable
@@ -52,19 +53,41 @@ class Pending:
 
 @dataclass(frozen=True)
 class Segment(ABC):
-    """A stretch of a motion with its choice of degrees of freedom and its ends.
+    """A stretch of a motion.
 
     Attributes
     ----------
+    t0, t1 : float
+        Its ends [s].
     kinematics : Kinematics
         The degrees of freedom of the step.
-    shown : Kinematics
-        Those in which its states are given.
     """
 
     t0: float
     t1: float
     kinematics: Kinematics
+    interpolates: ClassVar[bool] = True  # whether a state within it costs little
+
+    @abstractmethod
+    def state(self, t: float) -> State:
+        """Return the complete state at a time [s] within it."""
+
+    def roughly(self, t: float) -> State:
+        """Return the same, or a state near it, where that takes fewer evaluations."""
+        return self.state(t)
+
+
+@dataclass(frozen=True)
+class Stretch(Segment):
+    """A stretch of a motion in minimal coordinates, with its ends.
+
+    Attributes
+    ----------
+    shown : Kinematics
+        The degrees of freedom in which its states are given.
+    first, last : Snapshot
+    """
+
     shown: Kinematics
     first: Snapshot
     last: Snapshot
@@ -81,10 +104,6 @@ class Segment(ABC):
         """Return the complete state at a time within it."""
         return self.pending(t).state()
 
-    def roughly(self, t: float) -> State:
-        """Return the same, or a state near it that satisfies the constraints, where that takes fewer evaluations."""
-        return self.state(t)
-
 
 class DenseOutput(Portable, ABC):
     """Dense output of a step: y(t) = (q, q_d', z)."""
@@ -99,7 +118,7 @@ class DenseOutput(Portable, ABC):
 
 
 @dataclass(frozen=True)
-class Step(Segment):
+class Step(Stretch):
     """A step of an integration, with its dense output."""
 
     dense: DenseOutput

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -11,11 +12,14 @@ from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError
 from flexel.integration.alpha import AlphaStepper
 from flexel.integration.balance import Balance
-from flexel.integration.between import Between
+from flexel.integration.between import between
 from flexel.integration.contact_watch import ContactWatch
-from flexel.integration.driver import Run
+from flexel.integration.driver import Run, ended_by
 from flexel.integration.energy_balance import EnergyBalance
+from flexel.integration.events import Event
 from flexel.integration.imbalance import AT_REST, Imbalance
+from flexel.integration.outcome import Integration
+from flexel.integration.replay import Replay, Replayed
 from flexel.mechanics import dynamics
 from flexel.mechanics.impulse import struck
 from flexel.mechanics.inertia import InertiaError
@@ -58,6 +62,8 @@ class GeneralizedAlpha(Run):
     Attributes
     ----------
     stepper : AlphaStepper
+    replay : Replay
+        Takes its steps again, for the states within them.
     energy_balance : EnergyBalance
     shortest : float
         Step [s] below which it cannot continue.
@@ -66,12 +72,19 @@ class GeneralizedAlpha(Run):
     method = "generalized-alpha"
 
     def __init__(
-        self, system: CoreSystem, start: State, times: Array, radius: float, newton: str, control: Control
+        self,
+        system: CoreSystem,
+        start: State,
+        times: Array,
+        stepper: AlphaStepper,
+        control: Control,
+        events: Sequence[Event] = (),
     ) -> None:
-        self._scheme = radius, newton
-        self.stepper = AlphaStepper(system, start, *self._scheme, control.tolerance)
-        super().__init__(system, start, times)
+        self.stepper = stepper
+        stepper.begin(start)
+        super().__init__(system, start, times, events)
         self.stepper.inside = self.knots.inside
+        self.replay = Replay(stepper)
         self.energy_balance = EnergyBalance(self.stepper)
         self.result = replace(self.result, energy_terms=self.energy_balance.terms)
         duration = float(times[-1] - times[0])
@@ -91,7 +104,6 @@ class GeneralizedAlpha(Run):
             control.tolerance
         )  # steps then end at multiples of their length from here on
         self._anchor, self._multiple = start.t, 0
-        self._between: Between | None = None
 
     @property
     def t(self) -> float:
@@ -126,6 +138,12 @@ class GeneralizedAlpha(Run):
             self.result.states.append(self.stepper.state(self.balance()))
             self.energy_balance.keep()
 
+    def kept(self, message: str) -> Integration:
+        """Return the results so far, with the states at any time until now."""
+        begin = float(self.times[0])
+        self.result.segments[:] = [self._replayed(begin, self.t)] if self.t > begin else []
+        return super().kept(message)
+
     def renew(self) -> None:
         """Compute accelerations with the changed loads; leave them if a degree of freedom has no inertia."""
         old, state = self.stepper.stepping.old, self.result.states[-1]
@@ -140,16 +158,20 @@ class GeneralizedAlpha(Run):
             return
         self.stepper.begin(found)
         self.stepper.t = now
+        self.replay.part()
 
     def jump(self, z: Array) -> None:
         """Continue from here with other internal states."""
         self.stepper.stepping.old["z"][:] = z
+        self.replay.part()
         self.renew()
         self.balance()
         self.energy_balance.renew()
 
     def strike(self) -> None:
         """Continue from here with the rates just after an impulse."""
+        super().strike()
+        self.replay.part()
         old = self.stepper.stepping.old
         kinematics = self.stepper.system.kinematics_of(self.result.states[-1].roles)
         x, v, e = (old[name].copy() for name in ("x", "v", "e"))
@@ -205,8 +227,8 @@ class GeneralizedAlpha(Run):
             "model, and restart from there"
         )
 
-    def advance(self) -> None:
-        """Take one accepted step."""
+    def advance(self) -> str | None:
+        """Take one accepted step, or that up to a terminal event within it."""
         stepper, now, until = self.stepper, self.t, self._goal()
         gap = until - now
         if self._watch.any:
@@ -229,15 +251,46 @@ class GeneralizedAlpha(Run):
         end = now + step
         if abs(end - until) < NEAR * step:
             end = until
+        terminal = self._met(end)
+        if terminal is not None:
+            end = terminal[1].t
+            self._shorten(end - now)
         if self._constant:
-            end = self._keep_within(end, step)
+            end = self._keep_within(end, end - now)
+        self.replay.add(end, self.knots.interval)
         stepper.accept(end)
         if first is not None:
             self._begun = self._moment()
             self.passed.look([(first, self._begun)])
-        self.energy_balance.add(step)
+        self.energy_balance.add(end - now)
+        if terminal is not None:
+            return self._end_at(*terminal)
         if self.t >= self.until:
             self.keep()
+        return None
+
+    def _replayed(self, t0: float, t1: float) -> Replayed:
+        """Return a stretch of the motion, or its present step, with the states within it."""
+        return Replayed(t0, t1, self.stepper.system.kinematics, self.replay)
+
+    def _met(self, end: float) -> tuple[Event, State] | None:
+        """Report the events within the step that was found; return a terminal one, with the state there."""
+        step = self._replayed(self.t, end)
+        return self.report_events(step, lambda: self.stepper.state(self.stepper.found(end)))
+
+    def _shorten(self, h: float) -> None:
+        """Take a step of length h [s] in place of the one that was found: a terminal event lies there."""
+        if not self.stepper.step(h):
+            raise self.failure()
+        self.energy_balance.look()
+
+    def _end_at(self, event: Event, state: State) -> str:
+        """End the motion at a terminal event, with its state; return the message."""
+        self.stepper.begin(state)
+        self.replay.part()
+        self.result.states.append(state)
+        self.energy_balance.keep()
+        return ended_by(event)
 
     def _goal(self) -> float:
         """When the next step ends at the latest [s]: where a state is stored, but for constant steps at their ends."""
@@ -256,14 +309,7 @@ class GeneralizedAlpha(Run):
     def _keep_within(self, end: float, step: float) -> float:
         """Store the states whose times lie within a step that was found; return its end, or a stored time there."""
         while self.until < end - NEAR * step:
-            if self._between is None:
-                self._between = Between(
-                    self.stepper, self.energy_balance, self.result.states[-1], self._scheme
-                )
-            found = self._between.state(self.until, self.shortest)
-            if found is None:
-                raise self.failure()
-            self.result.states.append(found)
+            self.result.states.append(between(self.replay, self.energy_balance, self.t, self.until))
         return self.until if self.until < end + NEAR * step else end
 
     def _start(self) -> Snapshot:

@@ -147,11 +147,8 @@ class Watch:
             return  # accuracy asks for these steps
         self.found = f"{EXPLICIT} takes about {count:.2g} steps: {why}"
         other = RADAU if few(self.system) else ALPHA
-        events = " and no events, which it does not locate" * (
-            other == ALPHA and bool(getattr(run, "events", ()))
-        )
         warnings.warn(
-            f"simulate: {self.found}; an interrupt keeps what was computed, use method='{other}'{events}",
+            f"simulate: {self.found}; an interrupt keeps what was computed, use method='{other}'",
             StiffWarning,
             stacklevel=outside(),
         )

@@ -184,6 +184,11 @@ class Trajectory(Sequence[State]):
         """Whether `at` returns states between the stored times."""
         return bool(self._segments)
 
+    @property
+    def interpolates(self) -> bool:
+        """Whether such states cost little; generalized-alpha takes its steps again for them."""
+        return self.dense and all(segment.interpolates for segment in self._segments)
+
     def nearest(self, t: float) -> State:
         """Return the stored state nearest to a time."""
         return self._states[int(np.argmin(np.abs(self.t - number(t, "motion.nearest", "time"))))]
@@ -199,7 +204,7 @@ class Trajectory(Sequence[State]):
         """
         if not self._segments:
             raise ModelError(
-                "this motion has no dense output (a path, implicit integration, or a file); give the times to store"
+                "this motion has no dense output (it comes from a file, or is a path); give the times to store"
             )
         t = number(t, "motion.at", "time")
         begin, end = self._segments[0].t0, self._segments[-1].t1

@@ -87,7 +87,9 @@ def of_motion(system: CoreSystem, motion: Trajectory, period: float | None) -> C
             "along: the motion has one state; give the state, or a motion with more times"
         )
     own_state(system.structure, motion[0], "along")
-    found = partial(_true, motion.at if motion.dense else _interpolated(system, motion), system.roles.nd)
+    found = partial(
+        _true, motion.at if motion.interpolates else _interpolated(system, motion), system.roles.nd
+    )
     if period is None:
         return Course(motion.t, found)
     length = float(motion.t[-1] - motion.t[0])

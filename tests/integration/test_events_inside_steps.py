@@ -8,7 +8,7 @@ import flexel as fx
 from flexel.integration.balance import Saddle
 from flexel.integration.contact_watch import ContactWatch
 
-METHODS = ("DOP853", "Radau", "auto")
+METHODS = ("DOP853", "Radau", "generalized-alpha", "auto")
 HEIGHT = 4.0**2 / (2 * 9.81)  # of a throw at 4 m/s [m]
 
 

@@ -70,7 +70,8 @@ def test_the_factors_of_large_models_give_the_same_step(newton: str, monkeypatch
     ends = []
     for border in (elimination.BORDER, 0):
         monkeypatch.setattr(elimination, "BORDER", border)
-        stepper = AlphaStepper(system, system.initial, 0.8, newton)
+        stepper = AlphaStepper(system, 0.8, newton)
+        stepper.begin(system.initial)
         assert stepper.step(2e-3)
         stepper.accept(2e-3)
         ends.append(stepper.current().x)

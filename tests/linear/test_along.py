@@ -118,7 +118,7 @@ def test_between_stored_states_of_an_implicit_motion_the_equations_hold() -> Non
     system = pendulum()
     exact = system.simulate(1.0, samples=41, rtol=1e-11, method="DOP853")
     stored = system.simulate(1.0, samples=41, method="generalized-alpha", rtol=1e-8)
-    assert not stored.dense
+    assert not stored.interpolates
     found = system.along(stored).at(0.634)
     assert found.state_matrix == pytest.approx(system.along(exact).at(0.634).state_matrix, rel=1e-4)
     assert found.state_matrix == pytest.approx(nonlinear(system, found.state), rel=1e-8, abs=1e-8)

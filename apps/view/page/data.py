@@ -121,7 +121,7 @@ def _sampled(motion: Trajectory, frames: int, between: tuple[float, float] | Non
     """Return the states to show."""
     frames = whole(frames, "view", "frames", 2, MAX_FRAMES)
     start, end = span_of(motion, between, "view")
-    if motion.dense and end > start:
+    if motion.interpolates and end > start:
         return [motion.at(float(t)) for t in followed(np.linspace(start, end, frames), bar, frames, "frame")]
     kept = [state for state in motion if start <= state.t <= end]
     if not kept:
