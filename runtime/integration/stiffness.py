@@ -10,6 +10,7 @@ import numpy as np
 from flexel.base.arrays import Array
 from flexel.base.callers import outside
 from flexel.base.errors import FlexelError, StiffWarning
+from flexel.engine.contact_selection import rope_gaps
 from flexel.engine.solvers import eigenvalues
 from flexel.integration.driver import Run
 from flexel.integration.excitation import followed
@@ -61,6 +62,8 @@ class Suitable:
 def suitable(system: CoreSystem, state: State) -> Suitable:
     """Find the demands of a system on an integrator at a state; eigenvalues of very large systems are not computed."""
     nd = system.roles.nd
+    if rope_gaps(system.evaluation.tables).size:  # contacts begin and end all the time, of short elements
+        return Suitable(ALPHA, "ropes run over sheaves")
     if nd > MANY or (nd > LARGE and not few(system)):
         return Suitable(ALPHA, f"{nd} degrees of freedom, above {MANY if nd > MANY else LARGE}")
     if nd > LARGE:
