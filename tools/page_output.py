@@ -197,6 +197,9 @@ if __name__ == "__main__":
     parser.add_argument("--pictures", action="store_true", help="keep the pictures that programs draw")
     given = parser.parse_args()
     os.environ.setdefault("MPLBACKEND", "Agg")
+    unknown = sorted(set(given.pages) - {page.name for page in pages()})
+    if unknown:
+        parser.error(f"no page is called {', '.join(unknown)}; give names such as start.md")
     chosen = [page for page in pages() if page.name in given.pages or not given.pages]
     images = DOCS / "images" if given.pictures else None
     new = {page.read_text(encoding="utf-8"): renewed(page, images) for page in chosen}
