@@ -167,7 +167,7 @@ class LaneSteps(LaneStruct):
         c.rotations.count = rotations.count
         for name in LISTS:
             setattr(c.rotations, name, self.integers(getattr(rotations, name).flatten()))
-        found = {name: self._of_rotations(name, size) for name, size in rotations.sizes.items()}
+        found = {name: self._of_rotations(name, size) for name, size in rotations.sizes(13).items()}
         self.w, self.w_new, self.w_rates = found["w"], found["w_new"], found["W"].reshape(13, -1, LANES)
         self.w_scale = found["scale"]
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from flexel.base.arrays import Array
-from flexel.base.quaternions import conjugate, product
+from flexel.base.quaternions import product
 from flexel.model.role_lists import Roles
 from flexel.model.structure import Structure
 
@@ -88,16 +88,10 @@ class Rotations:
         """Number of each frame by the coordinate of its first Euler parameter."""
         return numbers_of(self.at)
 
-    @property
-    def sizes(self) -> dict[str, int]:
-        """Sizes of the arrays of rotations.h."""
-        widths = {"w": 3, "w_new": 3, "W": 3 * 13, "stage": 3, "scale": 4}
+    def sizes(self, rows: int) -> dict[str, int]:
+        """Sizes of the arrays of rotations.h, for a number of stages."""
+        widths = {"w": 3, "w_new": 3, "W": 3 * rows, "stage": 3, "scale": 4}
         return {name: width * self.count for name, width in widths.items()}
-
-    @property
-    def others(self) -> NDArray[np.int32]:
-        """Coordinates (count,) of the Euler parameters that are not degrees of freedom."""
-        return self.at[np.arange(self.count), self.rest]
 
     def apart(self, weight: Array) -> Array:
         """Return weights (nf,) of free coordinates with zeros for the Euler parameters of these frames."""
@@ -109,10 +103,6 @@ class Rotations:
         """Return the allowed errors (ny + 4 count,) in the order of `place`, from the arrays `scale` of a step."""
         own = of_rotations.reshape(-1, 4)
         return np.concatenate([of_y, own[:, :3].ravel(), own[:, 3]])
-
-    def spins(self, x: Array, rates: Array) -> Array:
-        """Return angular velocities (3 count,) for rates of coordinates, or angular accelerations for second rates."""
-        return np.asarray(2 * product(conjugate(x[self.at].T), rates[self.at].T)[1:].T.ravel())
 
     @staticmethod
     def turned(L: Array, p: Array) -> Array:

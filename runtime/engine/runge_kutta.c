@@ -58,8 +58,8 @@ static void spins(const flexel_work *s, const flexel_rotations *r, const double 
 }
 
 /* The state at a stage: y into `space`, coordinates and deformations into the workspace. */
-static void place(flexel_work *s, const flexel_choice *c, flexel_dop853 *o, double h, size_t count, const double *share,
-                  double *y)
+void flexel_dop853_place(flexel_work *s, const flexel_choice *c, flexel_dop853 *o, double h, size_t count,
+                         const double *share, double *y)
 {
     combine(o->ny, o->y, h, count, share, o->K, y);
     combine(s->nf, o->x, h, count, share, o->V, s->x);
@@ -69,7 +69,7 @@ static void place(flexel_work *s, const flexel_choice *c, flexel_dop853 *o, doub
     place_rotations(s, c, o, h, count, share, y);
 }
 
-static int rates(flexel_work *s, flexel_choice *c, flexel_dop853 *o, size_t stage, double t, const double *y)
+int flexel_dop853_rates(flexel_work *s, flexel_choice *c, flexel_dop853 *o, size_t stage, double t, const double *y)
 {
     const double *given = o->given + stage * o->ngiven;
     memcpy(c->motion, given, 3 * c->np * sizeof(double));
@@ -93,7 +93,7 @@ int flexel_dop853_begin(flexel_work *s, flexel_choice *c, flexel_dop853 *o, doub
     memcpy(s->x, o->x, s->n * sizeof(double));
     for (size_t i = 0; i < s->nperiodic; i++)
         s->unwrap_from[s->periodic[i]] = o->e[i];
-    const int failed = rates(s, c, o, 0, t, o->y);
+    const int failed = flexel_dop853_rates(s, c, o, 0, t, o->y);
     if (!failed) {
         o->sign = flexel_matrix_sign(&c->P);
         spins(s, &o->rotations, s->v, o->rotations.w);
@@ -276,18 +276,18 @@ static void judge(const flexel_work *s, const flexel_choice *c, flexel_dop853 *o
     o->error_turns = largest_error(o, o->turning, s->nperiodic, s->period, 1, h);
 }
 
-int flexel_dop853_step(flexel_work *s, flexel_choice *c, flexel_dop853 *o, double t, double h)
+int flexel_dop853_again(flexel_work *s, flexel_choice *c, flexel_dop853 *o, double t, double h)
 {
     o->changed = 0;
     memcpy(s->x + s->nf, o->x + s->nf, (s->n - s->nf) * sizeof(double));
     for (size_t stage = 1; stage <= FLEXEL_STAGES; stage++) {
         const int last = stage == FLEXEL_STAGES;
-        place(s, c, o, h, stage, last ? o->B : o->A + stage * FLEXEL_STAGES, last ? o->y_new : o->space);
+        flexel_dop853_place(s, c, o, h, stage, last ? o->B : o->A + stage * FLEXEL_STAGES, last ? o->y_new : o->space);
         if (last) {
             memcpy(o->x_new, s->x, s->n * sizeof(double));
             memcpy(o->rotations.w_new, o->rotations.stage, 3 * o->rotations.count * sizeof(double));
         }
-        const int failed = rates(s, c, o, stage, last ? t + h : t + o->C[stage] * h, last ? o->y_new : o->space);
+        const int failed = flexel_dop853_rates(s, c, o, stage, last ? t + h : t + o->C[stage] * h, last ? o->y_new : o->space);
         if (failed)
             return failed;
         if (flexel_matrix_sign(&c->P) != o->sign)
@@ -295,6 +295,14 @@ int flexel_dop853_step(flexel_work *s, flexel_choice *c, flexel_dop853 *o, doubl
         if (o->determinant)
             o->determinant[stage] = flexel_matrix_logarithm(&c->P);
     }
+    return FLEXEL_DONE;
+}
+
+int flexel_dop853_step(flexel_work *s, flexel_choice *c, flexel_dop853 *o, double t, double h)
+{
+    const int failed = flexel_dop853_again(s, c, o, t, h);
+    if (failed)
+        return failed;
     combine(s->nf, o->V, h, FLEXEL_STAGES, o->B, o->W, o->space);
     o->defect = o->defect_v = 0;
     for (size_t i = 0; i < s->nf; i++) {

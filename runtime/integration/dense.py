@@ -1,4 +1,9 @@
-"""Dense output of DOP853: y(t) within a step, by four more evaluations or ten, made on demand."""
+"""Dense output of DOP853: the state at a time within a step, by four more stages or ten, which are found on demand.
+
+Every value within a step is y + h sum of share[j] K[j] with the rates K at its stages, and the same shares give
+coordinates and angular velocities from their rates.  Source: Hairer, Norsett and Wanner (1993), II.6; coefficients are
+those of SciPy.
+"""
 
 from __future__ import annotations
 
@@ -12,11 +17,12 @@ from numpy.polynomial import legendre
 from scipy.integrate._ivp import dop853_coefficients as tableau
 
 from flexel.base.arrays import Array
-from flexel.base.errors import FlexelError
-from flexel.engine.rotations import Rotations
+from flexel.generated._kernels import ffi, lib
+from flexel.integration.inputs import give
+from flexel.integration.knots import Interval
 from flexel.integration.segments import DenseOutput
+from flexel.integration.stages import Stages
 from flexel.mechanics.kinematics import Kinematics
-from flexel.mechanics.states import between
 from flexel.model.snapshot import Snapshot
 
 UNRELIABLE = 15.0  # largest defect of an interpolation times the step, in allowed errors: three to four times its error
@@ -30,10 +36,148 @@ RISE = np.array(
 )  # 3 s² - 2 s³ for the part s of a step, in Legendre polynomials of 2 s - 1
 FITTED = np.linalg.inv(legendre.legvander(2 * NODES - 1, NODES.size - 1))
 UP, DOWN = np.arange(2, 9) // 2, np.arange(1, 8) // 2  # powers of the part that has passed, and of the rest
-A, B, C = tableau.A[:12, :12], tableau.B, tableau.C[:12]
+INSIDE = int(lib.FLEXEL_INSIDE)
+EXTRA, CHECK, FINER, LAST = 13, 16, 17, INSIDE - 1  # first stages of each kind; the last one is in the middle
 
 
-@dataclass(frozen=True)
+def _shares(part: float) -> Array:
+    """Return the shares (7,) of the polynomials of order 7 in the values at a part of the step."""
+    rest = 1 - part
+    return np.array([*accumulate((part, rest, part, rest, part, rest, part), mul)])
+
+
+def _slopes(part: float) -> Array:
+    """Return the shares in the derivative with respect to the part, within the step."""
+    return np.asarray(_shares(part) * (UP / part - DOWN / (1 - part)))
+
+
+def _legendre(x: float) -> Array:
+    """Return Legendre's polynomials (9,) at a place."""
+    found = [1.0, x]
+    for n in range(1, NODES.size):
+        found.append(((2 * n + 1) * x * found[n] - n * found[n - 1]) / (n + 1))
+    return np.array(found)
+
+
+def _of_order_7() -> Array:
+    """Coefficients (7, INSIDE) of the polynomials, over h, of the rates at the stages."""
+    found = np.zeros((7, INSIDE))
+    change, start, end = np.zeros((3, INSIDE))
+    change[:12], start[0], end[12] = tableau.B, 1.0, 1.0
+    found[:3] = change, start - change, 2 * change - (start + end)
+    found[3:, :CHECK] = tableau.D
+    return found
+
+
+def _of_order_8() -> Array:
+    """Coefficients (9, INSIDE), over h, of Legendre polynomials: the integral of the rates at Lobatto's nodes.
+
+    It is corrected so that it ends where the step ends.
+    """
+    places = [0, FINER, FINER + 1, FINER + 2, FINER + 3, CHECK, FINER + 4, 12]
+    rates = np.zeros((NODES.size, INSIDE))
+    rates[np.arange(NODES.size), places] = 1.0
+    found = np.asarray(legendre.legint(FITTED @ rates, scl=0.5, lbnd=-1), dtype=float)
+    found[: RISE.size] += np.outer(RISE, SEVENTH[0] - legendre.legval(1.0, found))
+    return found
+
+
+SEVENTH = _of_order_7()
+EIGHTH = _of_order_8()
+ROWS = np.zeros((INSIDE - EXTRA, INSIDE))  # of the stages after the end of the step
+ROWS[:3, : tableau.A.shape[1]] = tableau.A[EXTRA:]
+PARTS = np.array([*tableau.C[EXTRA:], NODES[CHECKED], *np.delete(NODES[1:-1], CHECKED - 1), MIDDLE])
+for _number, _part in enumerate(PARTS[3:-1].tolist(), start=3):
+    ROWS[_number] = _shares(_part) @ SEVENTH
+ROWS[-1] = _legendre(0.0) @ EIGHTH
+SLOPE_7 = _slopes(NODES[CHECKED]) @ SEVENTH  # where it is checked
+SLOPE_8 = np.asarray(2 * legendre.legval(0.0, legendre.legder(EIGHTH)), dtype=float)
+
+
+class Inside(Stages):
+    """The stages of one step, and those for the states within it."""
+
+    def __init__(self, kinematics: Kinematics) -> None:
+        super().__init__(kinematics, INSIDE)
+        self._begun: Interpolant | None = None  # at whose start the first of these stages is
+        self._of: Interpolant | None = None  # whose stages all of them are
+        self._known = 0  # number of stages
+        self._rows = [self.pointer(row) for row in ROWS]
+        self._parts, self._row = self.pointer(PARTS), np.zeros(INSIDE)
+        self._own_row = self.pointer(self._row)
+        self._slopes = {CHECK: self.pointer(SLOPE_7), LAST: self.pointer(SLOPE_8)}
+
+    def take(self, step: Interpolant, live: Stages) -> None:
+        """Take the stages of a step that was just found."""
+        self.choice.reset(step.rtol)
+        lib.flexel_dop853_take(self.choice.work.struct, self.struct, live.struct)
+        self._begun = self._of = step
+        self._known = EXTRA
+
+    def again(self, step: Interpolant, h: float) -> None:
+        """Take the stages of a step anew, or those of a shorter one from its start, of length h [s]."""
+        begun, t, self._begun, self._of = self._begun, step.first.t, None, None
+        if begun is step:
+            self.choice.reset(step.rtol)
+        else:
+            self.place(step.first, step.y0, step.rtol)
+            self.begin_in(step.interval, t)
+        self._begun = step
+        self.give_stages(step.interval, t, h)
+        self.choice.struct.accept = step.accept
+        self.kinematics.check(lib.flexel_dop853_again(*self._structs, t, h), t + h, self.choice)
+
+    def knows(self, step: Interpolant, stages: int) -> bool:
+        """Find the stages of a step up to a number of them; whether there are all."""
+        if self._of is not step:
+            self.again(step, step.h)
+            self._of, self._known = step, EXTRA
+        if self._known >= stages:
+            return True
+        first, t, h, self.choice.struct.accept = self._known, step.first.t, step.h, 0.0
+        own = slice(first - EXTRA, stages - EXTRA)
+        if self._given.size:
+            times = [t + part * h for part in PARTS[own].tolist()]
+            give(self.kinematics, step.interval, self._given[first:stages], times)
+        rows, parts = self._rows[own.start], self._parts + own.start
+        if lib.flexel_dop853_more(*self._structs, t, h, first, stages, rows, parts):
+            return False
+        self._known = stages
+        return True
+
+    def satisfied(self, step: Interpolant, stage: int) -> bool:
+        """Whether the derivative of an interpolation belongs to the rates at a stage."""
+        work, allowed = self.choice.work.struct, ffi.from_buffer("double[]", step.allowed)
+        defect = lib.flexel_dop853_defect(work, self.struct, step.h, self._slopes[stage], stage, allowed)
+        return bool(defect <= UNRELIABLE)
+
+    def at(self, step: Interpolant, t: float, shares: Array) -> tuple[Snapshot, Array]:
+        """Return the instant at a time [s] for shares of the rates at the stages, and the internal states."""
+        choice = self.choice
+        choice.reset()
+        choice.struct.accept = 0.0
+        self.kinematics.give(choice, step.interval.inside(t))
+        self._row[: shares.size] = shares
+        code = lib.flexel_dop853_locate(*self._structs, t, step.h, self._own_row, shares.size)
+        self.kinematics.check(code, t, choice)
+        return self.moment(t, self.space)
+
+    def end(self, t: float) -> tuple[Snapshot, Array]:
+        """Return the same at the end of the step that was taken anew."""
+        self.choice.work.rates()
+        return self.moment(t, self.y_new)
+
+    def moment(self, t: float, y: Array) -> tuple[Snapshot, Array]:
+        """Return the instant that the workspace holds, and the internal states."""
+        work, roles = self.choice.work, self.kinematics.roles
+        e, first = work.e.copy(), roles.nq + roles.nd
+        own = roles.dofs < e.size
+        e[roles.dofs[own]] = y[: roles.nq][own]
+        z = y[first : first + work.z.size].copy()
+        return Snapshot(t, work.x.copy(), work.v.copy(), e, work.w[: e.size].copy()), z
+
+
+@dataclass(frozen=True, eq=False)
 class Interpolant(DenseOutput):
     """Interpolation in a step of DOP853; where it does not satisfy the equations, steps from its start.
 
@@ -49,146 +193,62 @@ class Interpolant(DenseOutput):
         The degrees of freedom of the step.
     first, last : Snapshot
         Its ends.
-    y0, y1 : ndarray (ny,)
-        Values at the ends.
-    K : ndarray (13, ny)
-        Rates at the stages and the end.
-    rotations : Rotations
-        Orientations that turn freely.
-    w0, w1 : ndarray (3 count,)
-        Their angular velocities at the ends.
-    W : ndarray (13, 4 count)
-        Rates of these, and of the Euler parameters that are not in y.
+    y0 : ndarray (ny,)
+        Values at the start.
+    z1 : ndarray (nz,)
+        Internal states at the end.
     allowed : ndarray (ny + 4 count,)
-        Errors that were allowed in the step, of y, of angular velocities and of these Euler parameters.
+        Errors that were allowed in the step, of y, of angular velocities and of Euler parameters that are not in y.
+    interval : Interval
+        In which the functions of time were evaluated.
+    rtol, accept : float
+        With which positions were found.
     """
 
     kinematics: Kinematics
     first: Snapshot
     last: Snapshot
     y0: Array
-    y1: Array
-    K: Array
-    rotations: Rotations
-    w0: Array
-    w1: Array
-    W: Array
+    z1: Array
     allowed: Array
+    interval: Interval
+    rtol: float
+    accept: float
+
+    @property
+    def h(self) -> float:
+        """Length of the step [s]."""
+        return self.last.t - self.first.t
+
+    @property
+    def inside(self) -> Inside:
+        """The stages of this thread, which may be those of another step."""
+        return self.kinematics.own(Inside)
 
     @cached_property
-    def _cubic(self) -> Array:
-        """Coefficients (3, ny + 4 count) of the cubic through both ends with the rates there."""
-        h, begin = self.last.t - self.first.t, self._begin
-        change = np.concatenate([self.y1, self.w1, self.last.x[self.rotations.others]]) - begin
-        r0, r1 = (h * np.concatenate([self.K[i], self.W[i]]) for i in (0, 12))
-        return np.array([change, r0 - change, 2 * change - (r1 + r0)])
+    def _order(self) -> int:
+        """Order of the interpolation that satisfies the equations; zero if neither does."""
+        inside = self.inside
+        if not inside.knows(self, FINER):
+            return 0
+        if inside.satisfied(self, CHECK):
+            return 7
+        return 8 if inside.knows(self, INSIDE) and inside.satisfied(self, LAST) else 0
 
-    @cached_property
-    def _coefficients(self) -> Array:
-        """Coefficients (7, ny + 4 count) of the interpolation, as in SciPy."""
-        h, begin = self.last.t - self.first.t, self._begin
-        K = np.concatenate([np.hstack([self.K, self.W]), np.zeros((3, begin.size))])
-        for s, (a, c) in enumerate(zip(tableau.A[13:], tableau.C[13:], strict=True), start=13):
-            K[s] = self._rates(self.first.t + c * h, self._placed(begin + h * (K[:s].T @ a[:s])))
-        return np.concatenate([self._cubic, h * (tableau.D @ K)])
-
-    @cached_property
-    def _begin(self) -> Array:
-        """What is interpolated, at the start: y, angular velocities, and Euler parameters that are not in y."""
-        return np.concatenate([self.y0, self.w0, self.first.x[self.rotations.others]])
-
-    def _placed(self, found: Array) -> Array:
-        """Return the variables y of what was interpolated."""
-        if not self.w0.size:
-            return found
-        y, w, other = np.split(found, np.cumsum([self.y0.size, self.w0.size]))
-        return self.rotations.place(y, w, other)
-
-    def _rates(self, t: float, y: Array) -> Array:
-        """Return the rates of what is interpolated, at a time in the step."""
-        guess = between(self.first, self.last, t)
-        choice = self.kinematics.given(t)
-        choice.reset()
-        self.kinematics.check(choice.evaluate(t, y, guess.x, guess.e), t)
-        if not self.w0.size:
-            return choice.dy.copy()
-        work, r = choice.work, self.rotations
-        return np.concatenate([choice.dy, r.spins(work.x, work.a), work.v[r.others]])
-
-    @cached_property
-    def _rates_checked(self) -> Array | None:
-        """Rates that belong to the interpolation of order 7 where it is checked; None if no position does."""
-        return self._rates_of(NODES[CHECKED], self._begin + _shares(NODES[CHECKED]) @ self._coefficients)
-
-    def _rates_of(self, part: float, found: Array) -> Array | None:
-        """Return the rates for an interpolation at a part of the step; None if no position belongs to it."""
-        try:
-            return self._rates(self.first.t + part * (self.last.t - self.first.t), self._placed(found))
-        except FlexelError:
-            return None
-
-    def _satisfied(self, slope: Array, rates: Array | None) -> bool:
-        """Whether the derivative of an interpolation by the part of the step belongs to these rates."""
-        if rates is None:
-            return False
-        defect = (slope - (self.last.t - self.first.t) * rates) / self.allowed
-        return bool(np.max(np.abs(defect), initial=0.0) <= UNRELIABLE)
-
-    @cached_property
-    def _reliable(self) -> bool:
-        """Whether the interpolation of order 7 satisfies the equations."""
-        return self._satisfied(_slopes(NODES[CHECKED]) @ self._coefficients, self._rates_checked)
-
-    @cached_property
-    def _finer(self) -> Array | None:
-        """Coefficients (9, ny + 4 count) of order 8, of Legendre polynomials; None if they are no better."""
-        h, begin, K = self.last.t - self.first.t, self._begin, [np.hstack([self.K[0], self.W[0]])]
-        for i, part in enumerate(NODES[1:-1].tolist(), start=1):
-            found = begin + _shares(part) @ self._coefficients
-            rates = self._rates_checked if i == CHECKED else self._rates_of(part, found)
-            if rates is None:
-                return None
-            K.append(rates)
-        K.append(np.hstack([self.K[12], self.W[12]]))
-        finer = legendre.legint(FITTED @ K, scl=0.5 * h, lbnd=-1)
-        finer[: RISE.size] += np.outer(RISE, self._coefficients[0] - legendre.legval(1.0, finer))
-        finer[0] += begin
-        rates = self._rates_of(MIDDLE, np.asarray(legendre.legval(0.0, finer)))
-        slope = np.asarray(2 * legendre.legval(0.0, legendre.legder(finer)))
-        return finer if self._satisfied(slope, rates) else None
-
-    def _stepped(self, h: float) -> Array:
-        """Return the values (ny,) at the end of a step of this length [s] from the start."""
-        begin = self._begin
-        K = np.zeros((12, begin.size))
-        K[0] = np.hstack([self.K[0], self.W[0]])
-        for s in range(1, 12):
-            K[s] = self._rates(self.first.t + C[s] * h, self._placed(begin + h * (A[s, :s] @ K[:s])))
-        return self._placed(begin + h * (B @ K))
-
-    def roughly(self, t: float) -> Array:
-        """Return the values (ny,) of the cubic at a time [s] in the step, without any evaluation."""
-        part = (t - self.first.t) / (self.last.t - self.first.t)
-        return self._placed(self._begin + _shares(part)[:3] @ self._cubic)
-
-    def __call__(self, t: float) -> Array:
-        """Return the values (ny,) at a time [s] in the step."""
+    def moment(self, t: float) -> tuple[Snapshot, Array]:
+        """Return the instant at a time [s] in the step, and the internal states."""
         if t == self.last.t:
-            return self.y1
-        part = (t - self.first.t) / (self.last.t - self.first.t)
-        if self._reliable:
-            return self._placed(self._begin + _shares(part) @ self._coefficients)
-        if self._finer is None:
-            return self._stepped(t - self.first.t)
-        return self._placed(np.asarray(legendre.legval(2 * part - 1, self._finer)))
+            return self.last, self.z1
+        order, inside, part = self._order, self.inside, (t - self.first.t) / self.h
+        if not (order and inside.knows(self, FINER if order == 7 else INSIDE)):
+            inside.again(self, t - self.first.t)
+            return inside.end(t)
+        if order == 7:
+            return inside.at(self, t, (_shares(part) @ SEVENTH)[:CHECK])
+        return inside.at(self, t, _legendre(2 * part - 1) @ EIGHTH)
 
-
-def _shares(part: float) -> Array:
-    """Return the shares (7,) of the coefficients of order 7 in the values at a part of the step."""
-    rest = 1 - part
-    return np.array([*accumulate((part, rest, part, rest, part, rest, part), mul)])
-
-
-def _slopes(part: float) -> Array:
-    """Return the shares in the derivative with respect to the part, within the step."""
-    return np.asarray(_shares(part) * (UP / part - DOWN / (1 - part)))
+    def near(self, t: float) -> tuple[Snapshot, Array]:
+        """Return the same by the cubic through both ends with the rates there."""
+        inside, part = self.inside, (t - self.first.t) / self.h
+        inside.knows(self, EXTRA)
+        return inside.at(self, t, (_shares(part)[:3] @ SEVENTH[:3])[:EXTRA])

@@ -17,10 +17,11 @@ from flexel.generated._kernels import lib
 from flexel.integration.account import of_dop853
 from flexel.integration.branch import REFUSED
 from flexel.integration.dense import UNRELIABLE, Interpolant
-from flexel.integration.dop853_steps import B, Steps
+from flexel.integration.dop853_steps import Steps
 from flexel.integration.flat import crossing_step, flat_position
 from flexel.integration.minimal import SHORTEST, MinimalRun
 from flexel.integration.segments import Step
+from flexel.integration.stages import B
 from flexel.integration.touching import TRIALS, TouchingContacts
 from flexel.model.snapshot import Snapshot
 
@@ -244,14 +245,18 @@ class Dop853(MinimalRun):
             self.counts["bifurcations"] += 1
             s.struct.sign = -s.struct.sign
         self.amplification = s.choice.amplification()
-        r, ends = s.rotations, (s.y.copy(), s.y_new.copy(), s.K.copy())
-        turns = s.w.copy(), s.w_new.copy(), np.hstack([s.w_rates, s.V[:, r.others]])
         allowed = self.allowed_inside(
             s.scale, s.w_scale, s.y, s.y_new, self.covered.ranges(s.y_new), self.covered.part
         )
-        dense = Interpolant(self.kinematics, first, last, *ends, r, *turns, allowed)
+        z = s.y_new[s.y_new.size - self.z.size :].copy()
+        exactness = float(s.struct.rtol), float(s.choice.struct.accept)
+        dense = Interpolant(
+            self.kinematics, first, last, s.y.copy(), z, allowed, self.knots.interval, *exactness
+        )
+        if self.events or self.until < last.t:
+            dense.inside.take(dense, s)
         s.accept()
-        return self.end_step(first.t, dense, first, s.y[s.y.size - self.z.size :].copy(), last)
+        return self.end_step(first.t, dense, first, z, last)
 
     def allowed_inside(
         self, scale: Array, w_scale: Array, y0: Array, y1: Array, ranges: Array, part: float
@@ -283,8 +288,7 @@ class Dop853(MinimalRun):
 
     def pass_step(self, first: Snapshot, last: Snapshot, dense: Interpolant) -> None:
         """Store the states at the times within an accepted step."""
-        z = dense.y1[dense.y1.size - self.z.size :].copy()
-        self.accept(Step(first.t, last.t, self.kinematics, self._shown, first, last, dense), z)
+        self.accept(Step(first.t, last.t, self.kinematics, self._shown, first, last, dense), dense.z1)
 
     def go_on_alone(self, now: Snapshot, h: float, amplification: float) -> None:
         """Continue from the start of a step, whose variables and rates are in `steps`."""

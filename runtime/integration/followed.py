@@ -11,7 +11,7 @@ from flexel.base.arrays import Array
 from flexel.base.errors import PositionError
 from flexel.integration.driver import DenseRun
 from flexel.integration.events import Event
-from flexel.integration.segments import DenseOutput, Step
+from flexel.integration.segments import Step, Variables
 from flexel.mechanics.states import located
 from flexel.model.snapshot import Snapshot
 from flexel.model.state import State
@@ -38,7 +38,7 @@ def longest_step(v: Array, a: Array, weights: Array) -> float:
 
 
 @dataclass(frozen=True)
-class HeldStates(DenseOutput):
+class HeldStates(Variables):
     """Dense output of a fully prescribed motion: it has no q or q_d', and its internal states z (nz,) are constant."""
 
     z: Array
@@ -88,7 +88,15 @@ class Followed(DenseRun):
         there = Snapshot(t, x, v, e, work.w[: e.size].copy())
         self._a = (v - here.v) / (t - here.t)
         arrived = t >= until
-        segment = Step(here.t, t, self._kinematics, self._kinematics, here, there, HeldStates(self.z))
+        segment = Step(
+            here.t,
+            t,
+            self._kinematics,
+            self._kinematics,
+            here,
+            there,
+            HeldStates(self._kinematics, here, there, self.z),
+        )
         ended = self.accept(segment, self.z)
         if arrived:
             self._step = np.inf

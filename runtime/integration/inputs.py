@@ -3,20 +3,27 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Protocol
 
 from flexel.base.arrays import Array
-from flexel.integration.knots import Knots
 from flexel.mechanics.kinematics import Kinematics
 
 
-def give(kinematics: Kinematics, knots: Knots, given: Array, times: Sequence[float]) -> None:
+class Smooth(Protocol):
+    """Where functions of time are smooth: an interval between knots, or the present one of `Knots`."""
+
+    def inside(self, t: float) -> float:
+        """Return the time [s], or the nearest one within the interval."""
+
+
+def give(kinematics: Kinematics, knots: Smooth, given: Array, times: Sequence[float]) -> None:
     """Fill rows (times, 3 prescribed + loads) with prescribed motions (value, rate, second rate) and loads.
 
     Parameters
     ----------
     kinematics : Kinematics
-    knots : Knots
-        The functions are evaluated in the present interval between knots.
+    knots : Smooth
+        The interval between knots in which the functions are evaluated.
     given : ndarray (times, 3 prescribed + loads)
     times : sequence of float
         [s]

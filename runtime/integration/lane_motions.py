@@ -25,9 +25,10 @@ from flexel.generated._kernels import lib
 from flexel.integration import dop853 as rules
 from flexel.integration.branch import WORSE
 from flexel.integration.dense import Interpolant
-from flexel.integration.dop853_steps import TABLEAU, accepted_error
+from flexel.integration.dop853_steps import accepted_error
 from flexel.integration.driver import Run
 from flexel.integration.minimal import SHORTEST, SINGULAR
+from flexel.integration.stages import TABLEAU
 from flexel.model.snapshot import Snapshot
 
 STAGES = ("K", "V", "W", "turning", "w_rates")  # rates at the stages; the first row belongs to the start
@@ -176,16 +177,14 @@ class LaneMotions:
         first, x, e = self._start(lane), steps.x_new[:, lane].copy(), l.work.e[:, lane].copy()
         ed = l.work.w[: e.size, lane].copy()
         last = Snapshot(float(l.to[lane]), x, l.work.v[:, lane].copy(), e, ed)
-        y0, y1, K = (array[..., lane].copy() for array in (steps.y, steps.y_new, steps.K))
-        r = run.steps.rotations
-        turning = (steps.w, steps.w_new, steps.w_rates, steps.V)
-        w0, w1, rates, V = (array[..., lane].copy() for array in turning)
-        turns = w0, w1, np.hstack([rates, V[:, r.others]])
+        y0, y1 = (array[:, lane].copy() for array in (steps.y, steps.y_new))
         scales = steps.scale[:, lane], steps.w_scale[:, lane]
         allowed = run.allowed_inside(
             *scales, y0, y1, self._covered.ranges(lane, y1), self._covered.part(lane)
         )
-        run.pass_step(first, last, Interpolant(run.kinematics, first, last, y0, y1, K, r, *turns, allowed))
+        exactness = float(run.tolerances.rtol), float(l.choice.struct.accept)
+        of = y0, y1[y1.size - run.z.size :].copy(), allowed, run.knots.interval
+        run.pass_step(first, last, Interpolant(run.kinematics, first, last, *of, *exactness))
 
     def _start(self, lane: int) -> Snapshot:
         """Return the start of the step of a lane."""

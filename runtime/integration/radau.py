@@ -114,11 +114,11 @@ class Radau(MinimalRun):
         self.amplification, self._failed = steps.choice.amplification(), None
         self.counts["bifurcations"] += bool(c.changed)
         cut, h = c.h < wished and not c.rejected, c.h
-        dense = steps.accept()
-        last = steps.end(c.t)
+        dense = steps.accept(first)
         if cut and c.t == c.end and c.last_h == h:
             c.h = max(c.h, wished)
-        return self.end_step(first.t, dense, first, dense.end[dense.end.size - self.z.size :].copy(), last)
+        z = dense.end[dense.end.size - self.z.size :].copy()
+        return self.end_step(first.t, dense, first, z, dense.last)
 
     def _evaluate_jacobian(self) -> None:
         """The Jacobian at the start; where a law has no slope, the last one serves, with shorter steps if need be."""

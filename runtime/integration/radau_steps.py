@@ -28,7 +28,7 @@ from flexel.integration.knots import Knots
 from flexel.integration.minimal import MINOR, natural_scales_of_y
 from flexel.integration.radau_saddle import SaddleFactors
 from flexel.integration.radau_tableau import COLLOCATION, CORRECTION, NODES, PAIR, REAL, WEIGHTS, T
-from flexel.integration.segments import DenseOutput
+from flexel.integration.segments import Variables
 from flexel.mechanics.kinematics import Kinematics
 from flexel.model.snapshot import Snapshot
 
@@ -256,16 +256,19 @@ class Collocation(Struct):
         work = self.choice.work
         return Snapshot(t, work.x.copy(), work.v.copy(), work.e.copy(), work.w[: work.e.size].copy())
 
-    def accept(self) -> StagePolynomial:
-        """Continue from the end of the last step; return its dense output."""
+    def accept(self, first: Snapshot) -> StagePolynomial:
+        """Continue from the end of the last step, which began at an instant; return its dense output."""
         c, t, y, L = self.struct, self.struct.t, self.y.copy(), self.turns.start.copy()
         end, charts = y + self.Z[2], self.angles.charts
         lib.flexel_radau_accept(*self._structs)
-        return StagePolynomial(t, c.last_h, y, self.powers.copy(), end, self.turns.rotations, L, charts)
+        last, powers, rotations = self.end(c.t), self.powers.copy(), self.turns.rotations
+        return StagePolynomial(
+            self.kinematics, first, last, t, c.last_h, y, powers, end, rotations, L, charts
+        )
 
 
 @dataclass(frozen=True)
-class StagePolynomial(DenseOutput):
+class StagePolynomial(Variables):
     """Dense output of a step: the collocation polynomial, corrected so that its rates at the start are right too.
 
     The defect of the collocation polynomial is a multiple of (s - c1)(s - c2)(s - 1) to its leading order, and known

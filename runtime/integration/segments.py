@@ -106,15 +106,15 @@ class Stretch(Segment):
 
 
 class DenseOutput(Portable, ABC):
-    """Dense output of a step: y(t) = (q, q_d', z)."""
+    """Dense output of a step."""
 
     @abstractmethod
-    def __call__(self, t: float) -> Array:
-        """Return y (ny,) at a time [s] in the step."""
+    def moment(self, t: float) -> tuple[Snapshot, Array]:
+        """Return the instant at a time [s] in the step, and the internal states (nz,)."""
 
-    def roughly(self, t: float) -> Array:
-        """Return y (ny,) at a time [s] in the step, less exactly where that needs fewer evaluations."""
-        return self(t)
+    def near(self, t: float) -> tuple[Snapshot, Array]:
+        """Return the same, less exactly where that needs fewer evaluations."""
+        return self.moment(t)
 
 
 @dataclass(frozen=True)
@@ -125,18 +125,39 @@ class Step(Stretch):
 
     def pending(self, t: float) -> Pending:
         """Return the state at a time within the step, not yet completed."""
-        return self._placed(t, self.dense(t))
+        return Pending(self.kinematics, self.shown, *self.dense.moment(t))
 
     def roughly(self, t: float) -> State:
         """Return a state near that at a time within the step."""
-        return self._placed(t, self.dense.roughly(t)).state()
+        return Pending(self.kinematics, self.shown, *self.dense.near(t)).state()
 
-    def _placed(self, t: float, y: Array) -> Pending:
-        """Return the state for the variables at a time."""
-        nq, nd = self.kinematics.roles.nq, self.kinematics.roles.nd
+
+@dataclass(frozen=True)
+class Variables(DenseOutput):
+    """Dense output that gives y(t) = (q, q_d', z), from which the coordinates are found.
+
+    Attributes
+    ----------
+    kinematics : Kinematics
+        The degrees of freedom of the step.
+    first, last : Snapshot
+        Its ends.
+    """
+
+    kinematics: Kinematics
+    first: Snapshot
+    last: Snapshot
+
+    @abstractmethod
+    def __call__(self, t: float) -> Array:
+        """Return y (ny,) at a time [s] in the step."""
+
+    def moment(self, t: float) -> tuple[Snapshot, Array]:
+        """Return the instant at a time [s] in the step, and the internal states (nz,)."""
+        y, nq, nd = self(t), self.kinematics.roles.nq, self.kinematics.roles.nd
         q, qd, z = y[:nq], y[nq : nq + nd], y[nq + nd :]
         if t == self.last.t:
-            return self.end(z)
+            return self.last, z
         guess = between(self.first, self.last, t)
         x, v, e = located(self.kinematics, t, q, qd, guess)
-        return Pending(self.kinematics, self.shown, replace(guess, t=t, x=x, v=v, e=e), z)
+        return replace(guess, t=t, x=x, v=v, e=e), z

@@ -8,9 +8,10 @@ non-holonomic rows.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 from scipy.sparse import csc_array
@@ -34,6 +35,7 @@ from flexel.model.structure import Structure
 
 SIZES = 1e-5, 1e5  # least and largest extent of a model [m], see `check_size`
 SHOWN = 6  # laws named in a message
+T = TypeVar("T")
 
 
 @dataclass(frozen=True)
@@ -100,6 +102,7 @@ class Kinematics:
         self._timed = bool(roles.motions) or loads.any
         self._scale = natural_scales(self.structure)
         self._choices = Levels(lambda: CoordinateWork(self.evaluation.work, self.lists))
+        self._own: dict[Callable[[Kinematics], Any], Levels[Any]] = {}
 
     def __reduce__(self) -> tuple[type[Kinematics], tuple[Evaluation, Roles, Loads]]:
         """Pickle and copy as the arguments; the lists are made again."""
@@ -155,10 +158,21 @@ class Kinematics:
     def given(self, t: float) -> CoordinateWork:
         """Return these arrays, with the prescribed motions and loads set to time t."""
         choice = self.choice
+        self.give(choice, t)
+        return choice
+
+    def give(self, choice: CoordinateWork, t: float) -> None:
+        """Set the prescribed motions and loads of arrays of this choice of degrees of freedom to time t."""
         if self._timed:
             choice.motion[:] = self.roles.motion(t).ravel()
             choice.loads[:] = self.loads.values(t)
-        return choice
+
+    def own(self, make: Callable[[Kinematics], T]) -> T:
+        """Return what a function makes of this choice of degrees of freedom, once for each thread and level."""
+        if make not in self._own:
+            self._own.setdefault(make, Levels(lambda: make(self)))
+        found: T = self._own[make].present()
+        return found
 
     def scales(self, rows: Any) -> Array:
         """Return the natural scales of quantities."""
