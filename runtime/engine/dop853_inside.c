@@ -1,8 +1,6 @@
 /* States within a step of DOP853: more stages, and values between them; see runge_kutta.h. */
 #include "runge_kutta.h"
 
-#include "evaluate.h"
-
 #include <math.h>
 #include <string.h>
 
@@ -28,6 +26,7 @@ void flexel_dop853_take(const flexel_work *s, flexel_dop853 *o, const flexel_dop
 int flexel_dop853_more(flexel_work *s, flexel_choice *c, flexel_dop853 *o, double t, double h, size_t first, size_t end,
                        const double *rows, const double *parts)
 {
+    take(s->x + s->nf, o->x + s->nf, s->n - s->nf);
     for (size_t stage = first; stage < end; stage++) {
         const double *row = rows + (stage - first) * FLEXEL_INSIDE;
         flexel_dop853_place(s, c, o, h, stage, row, o->space);
@@ -49,11 +48,7 @@ int flexel_dop853_locate(flexel_work *s, flexel_choice *c, flexel_dop853 *o, dou
     take(c->qd, o->space + nq, c->nd);
     c->predict = 0;
     int failed = flexel_locate(s, c);
-    if (!failed)
-        failed = flexel_velocity(s, c);
-    if (!failed)
-        flexel_rates(s);
-    return failed;
+    return failed ? failed : flexel_velocity(s, c);
 }
 
 /* The largest defect of some variables with rates K, each over what is allowed. */

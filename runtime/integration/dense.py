@@ -18,6 +18,7 @@ from scipy.integrate._ivp import dop853_coefficients as tableau
 
 from flexel.base.arrays import Array
 from flexel.generated._kernels import ffi, lib
+from flexel.integration.dop853_steps import Steps
 from flexel.integration.inputs import give
 from flexel.integration.knots import Interval
 from flexel.integration.segments import DenseOutput
@@ -99,8 +100,7 @@ class Inside(Stages):
 
     def __init__(self, kinematics: Kinematics) -> None:
         super().__init__(kinematics, INSIDE)
-        self._begun: Interpolant | None = None  # at whose start the first of these stages is
-        self._of: Interpolant | None = None  # whose stages all of them are
+        self._of: Interpolant | None = None  # whose stages these are
         self._known = 0  # number of stages
         self._rows = [self.pointer(row) for row in ROWS]
         self._parts, self._row = self.pointer(PARTS), np.zeros(INSIDE)
@@ -111,18 +111,14 @@ class Inside(Stages):
         """Take the stages of a step that was just found."""
         self.choice.reset(step.rtol)
         lib.flexel_dop853_take(self.choice.work.struct, self.struct, live.struct)
-        self._begun = self._of = step
-        self._known = EXTRA
+        self._of, self._known = step, EXTRA
 
     def again(self, step: Interpolant, h: float) -> None:
         """Take the stages of a step anew, or those of a shorter one from its start, of length h [s]."""
-        begun, t, self._begun, self._of = self._begun, step.first.t, None, None
-        if begun is step:
-            self.choice.reset(step.rtol)
-        else:
-            self.place(step.first, step.y0, step.rtol)
-            self.begin_in(step.interval, t)
-        self._begun = step
+        self._of, t = None, step.first.t
+        self.place(step.first, step.y0, step.rtol)
+        self.K[0], self.w[:], self.w_rates[0] = step.rates0, step.w0, step.w_rates0
+        self.V[0], self.turning[0] = step.first.v[: self.V.shape[1]], step.first.ed[self.periodic]
         self.give_stages(step.interval, t, h)
         self.choice.struct.accept = step.accept
         self.kinematics.check(lib.flexel_dop853_again(*self._structs, t, h), t + h, self.choice)
@@ -132,17 +128,20 @@ class Inside(Stages):
         if self._of is not step:
             self.again(step, step.h)
             self._of, self._known = step, EXTRA
-        if self._known >= stages:
-            return True
+        return all(self._finds(step, end) for end in (FINER, INSIDE) if self._known < end <= stages)
+
+    def _finds(self, step: Interpolant, end: int) -> bool:
+        """Find the stages up to the next kind; whether there are all."""
         first, t, h, self.choice.struct.accept = self._known, step.first.t, step.h, 0.0
-        own = slice(first - EXTRA, stages - EXTRA)
+        self.choice.reset(step.rtol)  # the same, whether the stages before were taken or found
+        own = slice(first - EXTRA, end - EXTRA)
         if self._given.size:
             times = [t + part * h for part in PARTS[own].tolist()]
-            give(self.kinematics, step.interval, self._given[first:stages], times)
+            give(self.kinematics, step.interval, self._given[first:end], times)
         rows, parts = self._rows[own.start], self._parts + own.start
-        if lib.flexel_dop853_more(*self._structs, t, h, first, stages, rows, parts):
+        if lib.flexel_dop853_more(*self._structs, t, h, first, end, rows, parts):
             return False
-        self._known = stages
+        self._known = end
         return True
 
     def satisfied(self, step: Interpolant, stage: int) -> bool:
@@ -160,21 +159,16 @@ class Inside(Stages):
         self._row[: shares.size] = shares
         code = lib.flexel_dop853_locate(*self._structs, t, step.h, self._own_row, shares.size)
         self.kinematics.check(code, t, choice)
-        return self.moment(t, self.space)
+        return self.moment(step, t, self.space)
 
-    def end(self, t: float) -> tuple[Snapshot, Array]:
-        """Return the same at the end of the step that was taken anew."""
-        self.choice.work.rates()
-        return self.moment(t, self.y_new)
-
-    def moment(self, t: float, y: Array) -> tuple[Snapshot, Array]:
-        """Return the instant that the workspace holds, and the internal states."""
+    def moment(self, step: Interpolant, t: float, y: Array) -> tuple[Snapshot, Array]:
+        """Return the instant that the workspace holds, with rates of deformations nearby, and the internal states."""
         work, roles = self.choice.work, self.kinematics.roles
         e, first = work.e.copy(), roles.nq + roles.nd
         own = roles.dofs < e.size
         e[roles.dofs[own]] = y[: roles.nq][own]
         z = y[first : first + work.z.size].copy()
-        return Snapshot(t, work.x.copy(), work.v.copy(), e, work.w[: e.size].copy()), z
+        return Snapshot(t, work.x.copy(), work.v.copy(), e, step.first.ed), z
 
 
 @dataclass(frozen=True, eq=False)
@@ -193,8 +187,10 @@ class Interpolant(DenseOutput):
         The degrees of freedom of the step.
     first, last : Snapshot
         Its ends.
-    y0 : ndarray (ny,)
-        Values at the start.
+    y0, rates0 : ndarray (ny,)
+        Values at the start, and their rates.
+    w0, w_rates0 : ndarray (3 count,)
+        Angular velocities of orientations that turn freely, at the start, and their rates.
     z1 : ndarray (nz,)
         Internal states at the end.
     allowed : ndarray (ny + 4 count,)
@@ -209,6 +205,9 @@ class Interpolant(DenseOutput):
     first: Snapshot
     last: Snapshot
     y0: Array
+    rates0: Array
+    w0: Array
+    w_rates0: Array
     z1: Array
     allowed: Array
     interval: Interval
@@ -235,6 +234,14 @@ class Interpolant(DenseOutput):
             return 7
         return 8 if inside.knows(self, INSIDE) and inside.satisfied(self, LAST) else 0
 
+    def take(self, live: Steps) -> None:
+        """Take the stages of a step that was just found, if they will be the same when they are found anew.
+
+        They are not where pivots have changed, or rates at the start were those of other degrees of freedom.
+        """
+        if live.first_order and np.array_equal(live.V[0], self.first.v[: live.V.shape[1]]):
+            self.inside.take(self, live)
+
     def moment(self, t: float) -> tuple[Snapshot, Array]:
         """Return the instant at a time [s] in the step, and the internal states."""
         if t == self.last.t:
@@ -242,7 +249,7 @@ class Interpolant(DenseOutput):
         order, inside, part = self._order, self.inside, (t - self.first.t) / self.h
         if not (order and inside.knows(self, FINER if order == 7 else INSIDE)):
             inside.again(self, t - self.first.t)
-            return inside.end(t)
+            return inside.moment(self, t, inside.y_new)
         if order == 7:
             return inside.at(self, t, (_shares(part) @ SEVENTH)[:CHECK])
         return inside.at(self, t, _legendre(2 * part - 1) @ EIGHTH)

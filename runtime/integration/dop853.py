@@ -250,11 +250,10 @@ class Dop853(MinimalRun):
         )
         z = s.y_new[s.y_new.size - self.z.size :].copy()
         exactness = float(s.struct.rtol), float(s.choice.struct.accept)
-        dense = Interpolant(
-            self.kinematics, first, last, s.y.copy(), z, allowed, self.knots.interval, *exactness
-        )
+        begun = s.y.copy(), s.K[0].copy(), s.w.copy(), s.w_rates[0].copy()
+        dense = Interpolant(self.kinematics, first, last, *begun, z, allowed, self.knots.interval, *exactness)
         if self.events or self.until < last.t:
-            dense.inside.take(dense, s)
+            dense.take(s)
         s.accept()
         return self.end_step(first.t, dense, first, z, last)
 

@@ -7,6 +7,7 @@ import numpy as np
 from flexel.base.arrays import Array
 from flexel.engine.covered import Covered
 from flexel.generated._kernels import ffi, lib
+from flexel.integration.inputs import give
 from flexel.integration.knots import Knots
 from flexel.integration.stages import TIMES, Stages
 from flexel.mechanics.kinematics import Kinematics
@@ -64,7 +65,8 @@ class Steps(Stages):
 
     def begin(self, t: float) -> None:
         """Compute the rates at the start."""
-        self.begin_in(self._knots, t)
+        give(self.kinematics, self._knots, self._given[:1], [t])
+        self.kinematics.check(lib.flexel_dop853_begin(*self._structs, t), t, self.choice)
 
     def step(self, t: float, h: float, careful: bool) -> int:
         """Take one step; return the code of what failed, or zero.

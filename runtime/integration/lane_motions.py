@@ -177,14 +177,16 @@ class LaneMotions:
         first, x, e = self._start(lane), steps.x_new[:, lane].copy(), l.work.e[:, lane].copy()
         ed = l.work.w[: e.size, lane].copy()
         last = Snapshot(float(l.to[lane]), x, l.work.v[:, lane].copy(), e, ed)
-        y0, y1 = (array[:, lane].copy() for array in (steps.y, steps.y_new))
+        y0, y1, w0 = (array[:, lane].copy() for array in (steps.y, steps.y_new, steps.w))
+        rates0, w_rates0 = (array[0, :, lane].copy() for array in (steps.K, steps.w_rates))
         scales = steps.scale[:, lane], steps.w_scale[:, lane]
         allowed = run.allowed_inside(
             *scales, y0, y1, self._covered.ranges(lane, y1), self._covered.part(lane)
         )
         exactness = float(run.tolerances.rtol), float(l.choice.struct.accept)
-        of = y0, y1[y1.size - run.z.size :].copy(), allowed, run.knots.interval
-        run.pass_step(first, last, Interpolant(run.kinematics, first, last, *of, *exactness))
+        z1 = y1[y1.size - run.z.size :].copy()
+        of = y0, rates0, w0, w_rates0, z1, allowed, run.knots.interval, *exactness
+        run.pass_step(first, last, Interpolant(run.kinematics, first, last, *of))
 
     def _start(self, lane: int) -> Snapshot:
         """Return the start of the step of a lane."""

@@ -12,7 +12,7 @@ from flexel.engine.coordinate_work import CoordinateWork
 from flexel.engine.lanes import aligned
 from flexel.engine.rotations import LISTS, Rotations
 from flexel.engine.structs import Struct
-from flexel.generated._kernels import ffi, lib
+from flexel.generated._kernels import ffi
 from flexel.integration.inputs import Smooth, give
 from flexel.mechanics.kinematics import Kinematics
 from flexel.model.snapshot import Snapshot
@@ -31,6 +31,15 @@ class Stages(Struct):
     kinematics : Kinematics
     rows : int
         Number of stages: 13, or FLEXEL_INSIDE.
+
+    Attributes
+    ----------
+    y, K, w, w_rates : ndarray (ny,), (rows, ny), (3 count,), (rows, 3 count)
+        Values at the start and rates at the stages, of y and of angular velocities.
+    V, turning : ndarray (rows, nf), (rows, periodic.size)
+        Rates of coordinates and of periodic deformations.
+    periodic : ndarray of int
+        Deformations with a period.
     """
 
     def __init__(self, kinematics: Kinematics, rows: int) -> None:
@@ -39,11 +48,11 @@ class Stages(Struct):
         self.choice = CoordinateWork(kinematics.evaluation.work, kinematics.lists)
         c, s, roles = self.struct, kinematics.structure, kinematics.roles
         ny = roles.nq + roles.nd + s.nz
-        self._periodic = np.flatnonzero(s.period[: s.m])
+        self.periodic = np.flatnonzero(s.period[: s.m])
         c.ny = ny
         for name, array in TABLEAU.items():
             setattr(c, name, self.pointer(array))
-        np_, nf = self._periodic.size, s.nf
+        np_, nf = self.periodic.size, s.nf
         self.y, self.y_new = self.new("y", ny), self.new("y_new", ny)
         self.x, self.x_new = self.new("x", s.n), self.new("x_new", s.n)
         self.e, self.e_new = self.new("e", np_), self.new("e_new", np_)
@@ -72,15 +81,10 @@ class Stages(Struct):
         """Begin at an instant; later results depend on nothing computed before."""
         self.choice.reset(rtol)
         self.choice.struct.accept = 0.0
-        self.y[:], self.x[:], self.e[:] = y, now.x, now.e[self._periodic]
-
-    def begin_in(self, interval: Smooth, t: float) -> None:
-        """Compute the rates at the start of a step that lies in an interval of smooth functions of time."""
-        give(self.kinematics, interval, self._given[:1], [t])
-        self.kinematics.check(lib.flexel_dop853_begin(*self._structs, t), t, self.choice)
+        self.y[:], self.x[:], self.e[:] = y, now.x, now.e[self.periodic]
 
     def give_stages(self, interval: Smooth, t: float, h: float) -> None:
-        """Set prescribed motions and loads at the stages of a step."""
+        """Set prescribed motions and loads at the stages of a step, in an interval where these are smooth."""
         if self._given.size:
             give(self.kinematics, interval, self._given[1:13], [t + part * h for part in TIMES[1:]])
 

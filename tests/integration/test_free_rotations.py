@@ -55,11 +55,10 @@ def test_a_top_costs_no_steps_where_its_euler_parameters_change_places() -> None
     assert np.max(np.abs(energy - energy[0])) < 4e-10 * np.max(motion.energy["kinetic"])
 
 
-def test_angular_velocities_give_rates_of_euler_parameters_and_follow_from_them() -> None:
-    """w = 2 E L' and its inverse, for all choices of three Euler parameters, against the quaternion product."""
-    system = tumbling()
+def test_angular_velocities_give_rates_of_euler_parameters() -> None:
+    """The inverse of w = 2 E L', for all choices of three Euler parameters, against the quaternion product."""
+    s = tumbling().structure
     rng = np.random.default_rng(1)
-    s = system.structure
     for rest in range(4):
         part = [i for i in range(4) if i != rest]
         quantities = [s.find(f"R.lambda{i}") for i in range(4)]
@@ -73,9 +72,6 @@ def test_angular_velocities_give_rates_of_euler_parameters_and_follow_from_them(
         placed = r.place(y, w, 3 * L[[rest]])
         assert placed[[2, 0, 1]] == pytest.approx(L[part], abs=1e-15)
         assert placed[[5, 3, 4]] == pytest.approx(v[part], abs=1e-15)
-        x, rates = np.zeros(s.n), np.zeros(s.n)
-        x[at[0]], rates[at[0]] = L, v
-        assert r.spins(x, rates) == pytest.approx(w, abs=1e-15)
 
 
 def test_only_orientations_with_three_free_euler_parameters_are_integrated_so() -> None:
