@@ -90,13 +90,23 @@ def eigenvalues(trial: Trial) -> float:
         rest = trial.system.equilibrium(stable=True)
     except (fx.PositionError, fx.DynamicsError):
         raise Inapplicable("no equilibrium is found") from None
-    if trial.oracle.solve(trial.x(rest), trial.v(rest), {}, rest.t).gap < NEAR:
+    if trial.oracle.solve(trial.x(rest), trial.v(rest), {}, rest.t).gap < NEAR or folded(trial, rest):
         raise Inapplicable("the equilibrium is nearly singular")
     m = trial.model()
     m.independent(*other_names(trial, trial.x(rest), trial.v(rest)))
     other = m.build()
     second = other.linearize(other.state(rest.t, rest.x, 0 * rest.v, e=rest.e))
     return polynomials(trial.system.linearize(rest).eigenvalues(), second.eigenvalues())
+
+
+def folded(trial: Trial, state: fx.State) -> bool:
+    """Whether a condition hardly depends on the coordinates any more, as where a rigid element is twisted by 90°."""
+    oracle, still = trial.oracle, 0 * trial.oracle.drawn
+    here, drawn = (
+        np.linalg.norm(oracle.holonomic(x, still, state.t)[1][:, oracle.free], axis=1)
+        for x in (trial.x(state), oracle.drawn)
+    )
+    return bool(np.any(here < NEAR * drawn))
 
 
 def polynomials(first: Array, second: Array) -> float:
