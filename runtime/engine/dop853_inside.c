@@ -27,6 +27,7 @@ int flexel_dop853_more(flexel_work *s, flexel_choice *c, flexel_dop853 *o, doubl
                        const double *rows, const double *parts)
 {
     take(s->x + s->nf, o->x + s->nf, s->n - s->nf);
+    c->predict = 0;
     for (size_t stage = first; stage < end; stage++) {
         const double *row = rows + (stage - first) * FLEXEL_INSIDE;
         flexel_dop853_place(s, c, o, h, stage, row, o->space);
@@ -44,6 +45,8 @@ int flexel_dop853_locate(flexel_work *s, flexel_choice *c, flexel_dop853 *o, dou
     take(s->x + s->nf, o->x + s->nf, s->n - s->nf);
     flexel_dop853_place(s, c, o, h, count, row, o->space);
     s->t = t;
+    take(c->motion, o->given, 3 * c->np);
+    take(c->loads, o->given + 3 * c->np, c->nloads);
     take(c->q, o->space, nq);
     take(c->qd, o->space + nq, c->nd);
     c->predict = 0;

@@ -279,6 +279,7 @@ static void judge(const flexel_work *s, const flexel_choice *c, flexel_dop853 *o
 int flexel_dop853_again(flexel_work *s, flexel_choice *c, flexel_dop853 *o, double t, double h)
 {
     o->changed = 0;
+    c->predict = 0; /* P will not belong to the last right-hand side */
     memcpy(s->x + s->nf, o->x + s->nf, (s->n - s->nf) * sizeof(double));
     for (size_t stage = 1; stage <= FLEXEL_STAGES; stage++) {
         const int last = stage == FLEXEL_STAGES;

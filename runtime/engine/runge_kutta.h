@@ -57,7 +57,8 @@ void flexel_dop853_take(const flexel_work *s, flexel_dop853 *o, const flexel_dop
  * FLEXEL_INSIDE) and parts (end - first). */
 int flexel_dop853_more(flexel_work *s, flexel_choice *c, flexel_dop853 *o, double t, double h, size_t first, size_t end,
                        const double *rows, const double *parts);
-/* Position and velocities at a time t, where y = y + h sum of row[j] K[j], j < count; y is then in `space`. */
+/* Position and velocities at a time t, where y = y + h sum of row[j] K[j], j < count; y is then in `space`. What is given at
+ * that time is in the first row of `given`. */
 int flexel_dop853_locate(flexel_work *s, flexel_choice *c, flexel_dop853 *o, double t, double h, const double *row,
                          size_t count);
 /* The largest defect of an interpolation with the rates sum of row[j] K[j] at a stage, over what is allowed of y, of angular

@@ -18,11 +18,11 @@ from scipy.integrate._ivp import dop853_coefficients as tableau
 
 from flexel.base.arrays import Array
 from flexel.generated._kernels import ffi, lib
+from flexel.integration.dop853_stages import Stages
 from flexel.integration.dop853_steps import Steps
 from flexel.integration.inputs import give
 from flexel.integration.knots import Interval
 from flexel.integration.segments import DenseOutput
-from flexel.integration.stages import Stages
 from flexel.mechanics.kinematics import Kinematics
 from flexel.model.snapshot import Snapshot
 
@@ -38,7 +38,12 @@ RISE = np.array(
 FITTED = np.linalg.inv(legendre.legvander(2 * NODES - 1, NODES.size - 1))
 UP, DOWN = np.arange(2, 9) // 2, np.arange(1, 8) // 2  # powers of the part that has passed, and of the rest
 INSIDE = int(lib.FLEXEL_INSIDE)
-EXTRA, CHECK, FINER, LAST = 13, 16, 17, INSIDE - 1  # first stages of each kind; the last one is in the middle
+EXTRA, CHECK, LOBATTO, FINAL = (
+    13,
+    16,
+    17,
+    INSIDE - 1,
+)  # first stages of each kind; the last one is in the middle
 
 
 def _shares(part: float) -> Array:
@@ -75,7 +80,7 @@ def _of_order_8() -> Array:
 
     It is corrected so that it ends where the step ends.
     """
-    places = [0, FINER, FINER + 1, FINER + 2, FINER + 3, CHECK, FINER + 4, 12]
+    places = [0, LOBATTO, LOBATTO + 1, LOBATTO + 2, LOBATTO + 3, CHECK, LOBATTO + 4, 12]
     rates = np.zeros((NODES.size, INSIDE))
     rates[np.arange(NODES.size), places] = 1.0
     found = np.asarray(legendre.legint(FITTED @ rates, scl=0.5, lbnd=-1), dtype=float)
@@ -87,8 +92,8 @@ SEVENTH = _of_order_7()
 EIGHTH = _of_order_8()
 ROWS = np.zeros((INSIDE - EXTRA, INSIDE))  # of the stages after the end of the step
 ROWS[:3, : tableau.A.shape[1]] = tableau.A[EXTRA:]
-PARTS = np.array([*tableau.C[EXTRA:], NODES[CHECKED], *np.delete(NODES[1:-1], CHECKED - 1), MIDDLE])
-for _number, _part in enumerate(PARTS[3:-1].tolist(), start=3):
+PLACED = np.array([*tableau.C[EXTRA:], NODES[CHECKED], *np.delete(NODES[1:-1], CHECKED - 1), MIDDLE])
+for _number, _part in enumerate(PLACED[3:-1].tolist(), start=3):
     ROWS[_number] = _shares(_part) @ SEVENTH
 ROWS[-1] = _legendre(0.0) @ EIGHTH
 SLOPE_7 = _slopes(NODES[CHECKED]) @ SEVENTH  # where it is checked
@@ -99,17 +104,15 @@ class Inside(Stages):
     """The stages of one step, and those for the states within it."""
 
     def __init__(self, kinematics: Kinematics) -> None:
-        super().__init__(kinematics, INSIDE)
+        super().__init__(kinematics, kinematics.choice, INSIDE)
         self._of: Interpolant | None = None  # whose stages these are
         self._known = 0  # number of stages
-        self._rows = [self.pointer(row) for row in ROWS]
-        self._parts, self._row = self.pointer(PARTS), np.zeros(INSIDE)
+        self._rows, self._parts, self._row = self.pointer(ROWS), self.pointer(PLACED), np.zeros(INSIDE)
         self._own_row = self.pointer(self._row)
-        self._slopes = {CHECK: self.pointer(SLOPE_7), LAST: self.pointer(SLOPE_8)}
+        self._slopes = {CHECK: self.pointer(SLOPE_7), FINAL: self.pointer(SLOPE_8)}
 
     def take(self, step: Interpolant, live: Stages) -> None:
         """Take the stages of a step that was just found."""
-        self.choice.reset(step.rtol)
         lib.flexel_dop853_take(self.choice.work.struct, self.struct, live.struct)
         self._of, self._known = step, EXTRA
 
@@ -121,25 +124,34 @@ class Inside(Stages):
         self.V[0], self.turning[0] = step.first.v[: self.V.shape[1]], step.first.ed[self.periodic]
         self.give_stages(step.interval, t, h)
         self.choice.struct.accept = step.accept
-        self.kinematics.check(lib.flexel_dop853_again(*self._structs, t, h), t + h, self.choice)
+        code = lib.flexel_dop853_again(*self._structs, t, h)
+        self._restore()
+        self.kinematics.check(code, t + h, self.choice)
+
+    def _restore(self) -> None:
+        """Let positions be found to rounding again, by all who use these arrays."""
+        self.choice.struct.accept = 0.0
+        self.choice.reset()
 
     def knows(self, step: Interpolant, stages: int) -> bool:
         """Find the stages of a step up to a number of them; whether there are all."""
         if self._of is not step:
             self.again(step, step.h)
             self._of, self._known = step, EXTRA
-        return all(self._finds(step, end) for end in (FINER, INSIDE) if self._known < end <= stages)
+        return all(self._finds(step, end) for end in (LOBATTO, INSIDE) if self._known < end <= stages)
 
     def _finds(self, step: Interpolant, end: int) -> bool:
         """Find the stages up to the next kind; whether there are all."""
-        first, t, h, self.choice.struct.accept = self._known, step.first.t, step.h, 0.0
+        first, t, h = self._known, step.first.t, step.h
         self.choice.reset(step.rtol)  # the same, whether the stages before were taken or found
         own = slice(first - EXTRA, end - EXTRA)
         if self._given.size:
-            times = [t + part * h for part in PARTS[own].tolist()]
+            times = [t + part * h for part in PLACED[own].tolist()]
             give(self.kinematics, step.interval, self._given[first:end], times)
-        rows, parts = self._rows[own.start], self._parts + own.start
-        if lib.flexel_dop853_more(*self._structs, t, h, first, end, rows, parts):
+        rows, parts = self._rows + own.start * INSIDE, self._parts + own.start
+        failed = lib.flexel_dop853_more(*self._structs, t, h, first, end, rows, parts)
+        self._restore()
+        if failed:
             return False
         self._known = end
         return True
@@ -154,8 +166,8 @@ class Inside(Stages):
         """Return the instant at a time [s] for shares of the rates at the stages, and the internal states."""
         choice = self.choice
         choice.reset()
-        choice.struct.accept = 0.0
-        self.kinematics.give(choice, step.interval.inside(t))
+        if self._given.size:
+            give(self.kinematics, step.interval, self._given[:1], [t])
         self._row[: shares.size] = shares
         code = lib.flexel_dop853_locate(*self._structs, t, step.h, self._own_row, shares.size)
         self.kinematics.check(code, t, choice)
@@ -228,11 +240,11 @@ class Interpolant(DenseOutput):
     def _order(self) -> int:
         """Order of the interpolation that satisfies the equations; zero if neither does."""
         inside = self.inside
-        if not inside.knows(self, FINER):
+        if not inside.knows(self, LOBATTO):
             return 0
         if inside.satisfied(self, CHECK):
             return 7
-        return 8 if inside.knows(self, INSIDE) and inside.satisfied(self, LAST) else 0
+        return 8 if inside.knows(self, INSIDE) and inside.satisfied(self, FINAL) else 0
 
     def take(self, live: Steps) -> None:
         """Take the stages of a step that was just found, if they will be the same when they are found anew.
@@ -247,7 +259,7 @@ class Interpolant(DenseOutput):
         if t == self.last.t:
             return self.last, self.z1
         order, inside, part = self._order, self.inside, (t - self.first.t) / self.h
-        if not (order and inside.knows(self, FINER if order == 7 else INSIDE)):
+        if not (order and inside.knows(self, LOBATTO if order == 7 else INSIDE)):
             inside.again(self, t - self.first.t)
             return inside.moment(self, t, inside.y_new)
         if order == 7:

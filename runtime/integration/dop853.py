@@ -17,11 +17,11 @@ from flexel.generated._kernels import lib
 from flexel.integration.account import of_dop853
 from flexel.integration.branch import REFUSED
 from flexel.integration.dense import UNRELIABLE, Interpolant
+from flexel.integration.dop853_stages import B
 from flexel.integration.dop853_steps import Steps
 from flexel.integration.flat import crossing_step, flat_position
 from flexel.integration.minimal import SHORTEST, MinimalRun
 from flexel.integration.segments import Step
-from flexel.integration.stages import B
 from flexel.integration.touching import TRIALS, TouchingContacts
 from flexel.model.snapshot import Snapshot
 

@@ -5,11 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from flexel.base.arrays import Array
+from flexel.engine.coordinate_work import CoordinateWork
 from flexel.engine.covered import Covered
 from flexel.generated._kernels import ffi, lib
+from flexel.integration.dop853_stages import TIMES, Stages
 from flexel.integration.inputs import give
 from flexel.integration.knots import Knots
-from flexel.integration.stages import TIMES, Stages
 from flexel.mechanics.kinematics import Kinematics
 from flexel.model.snapshot import Snapshot
 
@@ -38,7 +39,8 @@ class Steps(Stages):
         knots: Knots,
         covered: Covered,
     ) -> None:
-        super().__init__(kinematics, TIMES.size)  # a workspace of its own: dense output does not change it
+        own = CoordinateWork(kinematics.evaluation.work, kinematics.lists)  # dense output does not change it
+        super().__init__(kinematics, own, TIMES.size)
         c, weight = self.struct, kinematics.lists.step_weight
         c.rtol, c.atol, c.weight = rtol, self.pointer(atol), self.pointer(weight)
         c.apart = self.pointer(self.rotations.apart(weight))

@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 
 from flexel.base.arrays import Array
-from flexel.integration.stages import TIMES
+from flexel.integration.dop853_stages import TIMES
 
 DIP = 2.0  # range of the logarithms of the determinant in a step, to base two, that is looked at
 BEYOND = 1.3  # last time tried, relative to the step: the position may lie behind its end

@@ -25,10 +25,10 @@ from flexel.generated._kernels import lib
 from flexel.integration import dop853 as rules
 from flexel.integration.branch import WORSE
 from flexel.integration.dense import Interpolant
+from flexel.integration.dop853_stages import TABLEAU
 from flexel.integration.dop853_steps import accepted_error
 from flexel.integration.driver import Run
 from flexel.integration.minimal import SHORTEST, SINGULAR
-from flexel.integration.stages import TABLEAU
 from flexel.model.snapshot import Snapshot
 
 STAGES = ("K", "V", "W", "turning", "w_rates")  # rates at the stages; the first row belongs to the start

@@ -25,13 +25,13 @@ from flexel.integration.knots import Interval
 from flexel.integration.segments import Segment
 from flexel.model.state import State
 
-EVERY = 32  # steps between two points that are kept: a point is as large as a stored state
+SPACING = 32  # steps between two points that are kept: a point is as large as a stored state
 FORCES = ("a", "mu")  # what a change of the length of steps disturbs
 HALVINGS = 20  # of the way to a time that one step does not reach
 
 
 @dataclass(frozen=True)
-class Point:
+class StepEnd:
     """One end of a step.
 
     Attributes
@@ -48,7 +48,7 @@ class Point:
     numbers: Array
 
     @classmethod
-    def of(cls, t: float, values: Mapping[str, Array]) -> Point:
+    def of(cls, t: float, values: Mapping[str, Array]) -> StepEnd:
         """Copy vectors at a time [s]."""
         ends = np.cumsum([array.size for array in values.values()]).tolist()
         parts = zip(values, [0, *ends[:-1]], ends, strict=True)
@@ -73,7 +73,7 @@ class Replay:
         self._arguments = live.arguments
         self._live: AlphaStepper | None = live
         self._ends = array("d")  # of the steps [s]
-        self._points: dict[int, Point] = {}  # at the starts of some of them
+        self._points: dict[int, StepEnd] = {}  # at the starts of some of them
         self._intervals: dict[int, Interval] = {}  # from these steps on
         self._due = True
         self._reset()
@@ -81,7 +81,7 @@ class Replay:
     def _reset(self) -> None:
         self._twin: AlphaStepper | None = None
         self._at: int | None = None  # number of the step at whose start the twin is
-        self._ended: tuple[int, Point] | None = None  # the last step of which the end was asked for
+        self._ended: tuple[int, StepEnd] | None = None  # the last step of which the end was asked for
         self._lock = Lock()
 
     def __getstate__(self) -> dict[str, Any]:
@@ -110,10 +110,10 @@ class Replay:
 
     def add(self, t1: float, interval: Interval) -> None:
         """Add the present step before it is accepted, with its end [s] and the interval of its functions of time."""
-        live = self._living
-        if self._due or self.number % EVERY == 0:
-            self._points[self.number] = Point.of(live.t, live.stepping.old)
-            self._intervals[self.number] = interval
+        number = len(self._ends)
+        if self._due or number % SPACING == 0:
+            self._points[number] = StepEnd.of(self._living.t, self._living.stepping.old)
+            self._intervals[number] = interval
             self._due = False
         self._ends.append(t1)
         self._ended = None
@@ -142,7 +142,7 @@ class Replay:
         a, mu = ((1 - part) * start[name] + part * end.values[name] for name in FORCES)
         return twin, twin.balance_at(t, found | {"a": a, "mu": mu})
 
-    def _end(self, number: int) -> Point:
+    def _end(self, number: int) -> StepEnd:
         """Return accelerations and multipliers at the end of a step."""
         if self._ended is None or self._ended[0] != number:
             if number == self.number:
@@ -150,7 +150,7 @@ class Replay:
             else:
                 t = self._ends[number]
                 of = self._reach(number, t)
-            self._ended = number, Point.of(t, {name: of.stepping.now[name] for name in FORCES})
+            self._ended = number, StepEnd.of(t, {name: of.stepping.now[name] for name in FORCES})
         return self._ended[1]
 
     def _reach(self, number: int, t: float) -> AlphaStepper:

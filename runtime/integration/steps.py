@@ -251,7 +251,7 @@ class GeneralizedAlpha(Run):
         end = now + step
         if abs(end - until) < NEAR * step:
             end = until
-        terminal = self._met(end)
+        terminal = self._met(end) if self.events else None
         if terminal is not None:
             end = terminal[1].t
             self._shorten(end - now)

@@ -158,14 +158,10 @@ class Kinematics:
     def given(self, t: float) -> CoordinateWork:
         """Return these arrays, with the prescribed motions and loads set to time t."""
         choice = self.choice
-        self.give(choice, t)
-        return choice
-
-    def give(self, choice: CoordinateWork, t: float) -> None:
-        """Set the prescribed motions and loads of arrays of this choice of degrees of freedom to time t."""
         if self._timed:
             choice.motion[:] = self.roles.motion(t).ravel()
             choice.loads[:] = self.loads.values(t)
+        return choice
 
     def own(self, make: Callable[[Kinematics], T]) -> T:
         """Return what a function makes of this choice of degrees of freedom, once for each thread and level."""

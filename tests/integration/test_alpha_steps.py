@@ -137,7 +137,7 @@ def test_a_copy_and_a_pickle_give_the_same_states() -> None:
 def test_few_points_are_kept() -> None:
     motion = driven().simulate(4.0, method=METHOD, step=1e-3, samples=2)
     steps = steps_of(motion)
-    assert steps.number == 4000 and len(steps._points) <= 4000 / replay.EVERY + 10
+    assert steps.number == 4000 and len(steps._points) <= 4000 / replay.SPACING + 10
 
 
 @pytest.mark.parametrize("options", OPTIONS)

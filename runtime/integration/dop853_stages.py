@@ -29,6 +29,8 @@ class Stages(Struct):
     Parameters
     ----------
     kinematics : Kinematics
+    choice : CoordinateWork
+        Arrays of this choice of degrees of freedom.
     rows : int
         Number of stages: 13, or FLEXEL_INSIDE.
 
@@ -42,10 +44,9 @@ class Stages(Struct):
         Deformations with a period.
     """
 
-    def __init__(self, kinematics: Kinematics, rows: int) -> None:
+    def __init__(self, kinematics: Kinematics, choice: CoordinateWork, rows: int) -> None:
         super().__init__(ffi.new("flexel_dop853 *"))
-        self.kinematics = kinematics
-        self.choice = CoordinateWork(kinematics.evaluation.work, kinematics.lists)
+        self.kinematics, self.choice = kinematics, choice
         c, s, roles = self.struct, kinematics.structure, kinematics.roles
         ny = roles.nq + roles.nd + s.nz
         self.periodic = np.flatnonzero(s.period[: s.m])
