@@ -258,6 +258,8 @@ class Interpolant(DenseOutput):
         """Return the instant at a time [s] in the step, and the internal states."""
         if t == self.last.t:
             return self.last, self.z1
+        if t == self.first.t:
+            return self.first, self.y0[self.y0.size - self.z1.size :]
         order, inside, part = self._order, self.inside, (t - self.first.t) / self.h
         if not (order and inside.knows(self, LOBATTO if order == 7 else INSIDE)):
             inside.again(self, t - self.first.t)

@@ -62,8 +62,8 @@ class Suitable:
 def suitable(system: CoreSystem, state: State) -> Suitable:
     """Find the demands of a system on an integrator at a state; eigenvalues of very large systems are not computed."""
     nd = system.roles.nd
-    if rope_gaps(system.evaluation.tables).size:  # contacts begin and end all the time, of short elements
-        return Suitable(ALPHA, "ropes run over sheaves")
+    if rope_gaps(system.evaluation.tables).size and not system.structure.nz:
+        return Suitable(ALPHA, "ropes run over sheaves")  # their contacts begin and end all the time
     if nd > MANY or (nd > LARGE and not few(system)):
         return Suitable(ALPHA, f"{nd} degrees of freedom, above {MANY if nd > MANY else LARGE}")
     if nd > LARGE:
