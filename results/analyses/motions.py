@@ -81,9 +81,9 @@ def simulate(
         by the number of degrees of freedom where these are more than 30), and 100 times the radians that any
         method must follow (those of modes whose amplitude at the start exceeds a twentieth of the motion or
         that are unstable, of rotations, and knots of tables), and counts as stiff above 300 degrees of freedom,
-        where no eigenvalues are computed.  Generalized-alpha remains for ropes that run over sheaves without
-        bristles, stiff motions with contacts, if a degree of freedom has no inertia, above 1000 degrees of freedom, and
-        above 300 with kinematic coordinates or internal states.  ``motion.message`` reports the choice and the reason.
+        where no eigenvalues are computed.  Generalized-alpha remains for stiff motions with contacts, if a
+        degree of freedom has no inertia, above 1000 degrees of freedom, and above 300 with kinematic
+        coordinates or internal states.  ``motion.message`` reports the choice and the reason.
     rtol : float, optional
         Local error in one step: DOP853 and Radau, relative to each variable (Radau: to its largest value so far;
         DOP853: of a degree of freedom, to the largest range of a coordinate in this motion so far if that is less),

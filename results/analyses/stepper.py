@@ -17,9 +17,9 @@ from flexel.base.errors import ModelError
 from flexel.base.shown import listed, prints
 from flexel.base.time_functions import Held
 from flexel.integration import methods
-from flexel.integration.dop853 import Dop853
+from flexel.integration.minimal import MinimalRun
 from flexel.integration.steps import GeneralizedAlpha
-from flexel.integration.stiffness import ALPHA, EXPLICIT
+from flexel.integration.stiffness import ALPHA, EXPLICIT, RADAU
 from flexel.model.applied_loads import Load
 from flexel.model.quantities import history
 from flexel.model.state import State
@@ -27,7 +27,7 @@ from flexel.model.structure import Structure
 from flexel.results.analyses.restoring import restored
 from flexel.system import CoreSystem
 
-METHODS = (EXPLICIT, ALPHA)
+METHODS = (EXPLICIT, RADAU, ALPHA)
 RTOL = 1e-6
 
 
@@ -72,7 +72,7 @@ class Stepper:
     ) -> None:
         self.dt = positive(dt, "stepper", "dt")
         if not isinstance(method, str) or method not in METHODS:
-            raise ModelError(f"stepper: method {method!r} is unknown; choose {' or '.join(METHODS)}")
+            raise ModelError(f"stepper: method {method!r} is unknown; choose one of {', '.join(METHODS)}")
         self.inputs, self.outputs = names(inputs, "stepper: inputs"), names(outputs, "stepper: outputs")
         methods.check(method, options)
         self._method, self._options = method, options
@@ -120,7 +120,7 @@ class Stepper:
         options = self._options.with_first(saved.step)
         times = np.array([start.t, start.t + self.dt])
         run = methods.run_of(self._system, self._method, start, times, self.dt, options)
-        if not isinstance(run, Dop853 | GeneralizedAlpha):
+        if not isinstance(run, MinimalRun | GeneralizedAlpha):
             raise ModelError(
                 "stepper: every motion of the system is prescribed; nothing is left to be driven by inputs"
             )
@@ -279,7 +279,7 @@ def stepper(
     start : State, optional
         The initial state by default.
     method : str
-        DOP853, or generalized-alpha for stiff models.
+        DOP853; Radau for stiff models whose motion is smooth; generalized-alpha for stiff models with contacts.
     rtol, atol : float
         Tolerances; see `simulate`.
 

@@ -111,6 +111,11 @@ class AlphaStepper(Saddle):
             self._choose(self.stepping.now["x"])
         return gap > 0 or self._run(h)  # again if an omitted contact has closed within the step
 
+    def local_errors(self, h: float) -> Array:
+        """Return the local errors (n,) of the coordinates in the step of length h [s] that was found."""
+        p, q = self.stepping.old, self.stepping.now
+        return np.asarray((self.scheme.beta - 1 / 6) * h * h * (q["w"] - p["w"]))
+
     def check_inertia(self) -> None:
         """Raise if the matrix of the step that was not found is singular for a motion without mass; names it.
 

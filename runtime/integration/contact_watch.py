@@ -1,4 +1,4 @@
-"""Watches the gaps of contacts within steps, so that none is stepped over."""
+"""Watches the gaps of contacts within steps: none is stepped over, and each is resolved by the steps that it takes."""
 
 from __future__ import annotations
 
@@ -7,6 +7,10 @@ import numpy as np
 from flexel.base.arrays import Array
 from flexel.engine.contact_selection import free_gaps
 from flexel.engine.workspace import Workspace
+from flexel.mechanics.kinematics import size_of
+
+DEPTH = 1e-6  # depth that does not matter, relative to the size of the model
+DEEP = 0.1  # error of a gap, relative to the depth of its contact, above which a step is halved
 
 
 class ContactWatch:
@@ -21,14 +25,14 @@ class ContactWatch:
     ----------
     work : Workspace
         Whose gaps and rates are those at the end of a trial step.
-    least : float
-        Depth [m] that does not matter; infinite where the steps are given.
+    given : bool
+        Whether the steps are given: nothing is watched then.
     """
 
-    def __init__(self, work: Workspace, least: float) -> None:
+    def __init__(self, work: Workspace, given: bool) -> None:
         self._rows = free_gaps(work.tables)
-        self.any = bool(self._rows.size) and bool(np.isfinite(least))
-        self._work, self._least = work, least
+        self.any = bool(self._rows.size) and not given
+        self._work, self._least = work, DEPTH * size_of(work.tables.structure) if self.any else 0.0
         self._gap = self._rate = self._bend = self._rows.astype(float)
 
     def note(self, a: Array) -> None:
@@ -45,6 +49,23 @@ class ContactWatch:
             return False
         lowest = lowest_bound((self._gap[turned], gap[turned]), (first[turned], last[turned]), h)
         return bool(np.any(lowest < -self._least))
+
+    def rough(self, change: Array) -> bool:
+        """Whether a step is too coarse for a contact: the error of its gap is no small part of its depth.
+
+        A contact that begins is as deep as the step has let it be, so that steps become short beside its duration.
+
+        Parameters
+        ----------
+        change : ndarray (n,)
+            Local errors of the coordinates.
+        """
+        depth = -np.minimum(self._gap, self._work.e[self._rows])
+        closed = depth > 0
+        if not closed.any():
+            return False
+        error = np.abs(self._work.jvp(change)[self._rows[closed]])
+        return bool(np.any(error > DEEP * depth[closed]))
 
     def _now(self) -> tuple[Array, Array]:
         return self._work.e[self._rows], self._work.w[self._rows]

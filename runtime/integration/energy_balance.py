@@ -44,6 +44,7 @@ class EnergyBalance:
         )
         self._next = (0.0, 0.0, 0.0, 0.0)
         self._kinetic = self._through = self.size = 0.0
+        self._force = 0.0  # size of the balancing forces at the last step [N]
         self._slope = 0.0  # of the power in the step before; none in the first
         self.missing = self.unsure = 0.0
         self.steps = 0
@@ -130,17 +131,17 @@ class EnergyBalance:
         begun = float(self._values.begun)
         return begun if begun > self._values.deepest else 0.0
 
-    def spurious(self, h: float, scale: float) -> bool:
+    def spurious(self, h: float) -> bool:
         """Whether most of the energy at the end of a step is spurious: neither stored before nor supplied.
 
         Newton's method has then found a solution of a long step that does not continue its beginning: a
-        rope that has jumped off its sheave.  Energy below the work of the largest force [N] over a thousandth of the
-        model's size is ignored.
+        rope that has jumped off its sheave.  Energy below the work of the forces at the start over a thousandth of the
+        model's size is ignored; those at the end may be part of the spurious solution.
         """
         own, potential, losses, drives = self._next
         lost, work = h / 2 * (self._losses + losses), h / 2 * (self._drives + drives)
         made = own + potential - self._own - self._potential - work + min(lost, 0.0)
-        little = 1e-3 * scale * self._saddle.length
+        little = 1e-3 * self._force * self._saddle.length
         return bool(made > 0.5 * own + 0.01 * self._largest + little)
 
     def _enter(self) -> None:
@@ -149,6 +150,7 @@ class EnergyBalance:
         self._kinetic = max(self._kinetic, float(self._values.kinetic))
         self.size = max(self.size, abs(self._own) + abs(self._potential))
         self._stored = float(self._values.contact)
+        self._force = float(self._saddle.balancing.struct.scale)
         self._found.note()
 
 

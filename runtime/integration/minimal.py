@@ -167,6 +167,10 @@ class MinimalRun(DenseRun):
     def restart_with(self, h: float) -> None:
         """Restart with a step [s] to try first."""
 
+    def renew(self) -> None:
+        """Compute the rates with the changed loads."""
+        self.restart()
+
     def strike(self) -> None:
         """Continue from here with the rates just after an impulse."""
         super().strike()

@@ -11,12 +11,11 @@ from scipy.optimize import minimize_scalar
 from flexel.base.arrays import Index
 from flexel.engine.contact_selection import free_gaps
 from flexel.engine.evaluate import Evaluation
-from flexel.integration.contact_watch import lowest_bound
+from flexel.integration.contact_watch import DEPTH, lowest_bound
 from flexel.mechanics.kinematics import size_of
 from flexel.mechanics.states import between
 from flexel.model.snapshot import Snapshot
 
-DEPTH = 1e-6  # depth that does not matter, relative to the size of the model
 EXACT = 1e-4  # of the time of the minimum of a gap, relative to the step
 LOOKS = 12  # at a gap, for its minimum in a step
 NONE: Index = np.zeros(0, dtype=np.intp)

@@ -13,7 +13,7 @@ from flexel.base.errors import DynamicsError
 from flexel.integration.alpha import AlphaStepper
 from flexel.integration.balance import Balance
 from flexel.integration.between import between
-from flexel.integration.contact_watch import ContactWatch
+from flexel.integration.contact_watch import DEEP, ContactWatch
 from flexel.integration.driver import Run, ended_by
 from flexel.integration.energy_balance import EnergyBalance
 from flexel.integration.events import Event
@@ -29,7 +29,6 @@ from flexel.system import CoreSystem
 
 SHORTEST = 1e-10  # shortest step, over the duration
 LOST = 0.01  # of the energy of a motion that its method may take out or add without a warning
-DEEP = 0.1  # local error over a new contact's penetration above which the step is halved
 NEAR = 1e-6  # distance of a time from the end of a step, relative to it, that is rounding
 STEADY = 1.3  # growth factor below which the step is kept: every change disturbs the multipliers
 MOST_FALSE, MOST_HALVINGS = 8, 4  # step halvings because of spurious energy, and because of new contacts
@@ -92,9 +91,7 @@ class GeneralizedAlpha(Run):
         self.control = control
         if math.isfinite(control.tolerance):
             self.stepper.expect(start, duration, control.tolerance, control.absolute)
-        self._watch = ContactWatch(
-            self.stepper.work, (control.tolerance + control.absolute) * self.stepper.length
-        )
+        self._watch = ContactWatch(self.stepper.work, math.isinf(control.tolerance))
         self._unwatched = self.passed.any and not self._watch.any
         self._begun: Snapshot | None = None  # the current point, if contacts are not watched
         self._steps = self._rejected = self._at_contact = self._halvings = self._false = 0
@@ -143,6 +140,11 @@ class GeneralizedAlpha(Run):
         begin = float(self.times[0])
         self.result.segments[:] = [self._replayed(begin, self.t)] if self.t > begin else []
         return super().kept(message)
+
+    def go_on(self, until: float) -> None:
+        """Continue to another time, from a motion that has ended; what was stored before is dropped."""
+        super().go_on(until)
+        self.replay = Replay(self.stepper)
 
     def renew(self) -> None:
         """Compute accelerations with the changed loads; leave them if a degree of freedom has no inertia."""
@@ -333,10 +335,10 @@ class GeneralizedAlpha(Run):
             stepper.check_inertia()
             return math.inf
         balance.look()
-        if self._false < MOST_FALSE and balance.spurious(h, stepper.balancing.struct.scale):
+        if self._false < MOST_FALSE and balance.spurious(h):
             self._false += 1
             return math.inf
-        if self._watch.any and self._watch.skipped(h):
+        if self._watch.any and (self._watch.skipped(h) or self._watch.rough(stepper.local_errors(h))):
             self._at_contact += 1
             return math.inf
         if self._halvings < MOST_HALVINGS:

@@ -10,7 +10,6 @@ import numpy as np
 from flexel.base.arrays import Array
 from flexel.base.callers import outside
 from flexel.base.errors import FlexelError, StiffWarning
-from flexel.engine.contact_selection import rope_gaps
 from flexel.engine.solvers import eigenvalues
 from flexel.integration.driver import Run
 from flexel.integration.excitation import followed
@@ -62,8 +61,6 @@ class Suitable:
 def suitable(system: CoreSystem, state: State) -> Suitable:
     """Find the demands of a system on an integrator at a state; eigenvalues of very large systems are not computed."""
     nd = system.roles.nd
-    if rope_gaps(system.evaluation.tables).size and not system.structure.nz:
-        return Suitable(ALPHA, "ropes run over sheaves")  # their contacts begin and end all the time
     if nd > MANY or (nd > LARGE and not few(system)):
         return Suitable(ALPHA, f"{nd} degrees of freedom, above {MANY if nd > MANY else LARGE}")
     if nd > LARGE:

@@ -177,22 +177,3 @@ def test_a_start_that_cannot_be_linearized_is_judged_a_little_later(stiffness: f
     with pytest.raises(fx.FlexelError):
         system.linearize(system.initial)
     assert chosen(system, 20.0)[0] == method
-
-
-@pytest.mark.parametrize("bristles", [{}, {"bristle_stiffness": 1e5, "bristle_damping": 1e3}])
-def test_ropes_over_sheaves_are_for_generalized_alpha(bristles: dict[str, float]) -> None:
-    """A winch took Radau 34 s, and takes 0.6 s; not with bristles, whose deflections begin at zero."""
-    m = fx.Model(gravity=(0, -9.81))
-    m.point("axle", (0, 0), fixed=True)
-    m.angle("R", fixed=True)
-    m.sheave("sheave", "axle", "R", radius=0.2)
-    for name, x in (("A", -0.2), ("B", 0.2)):
-        m.point(name, (x, -0.5))
-        m.point_mass(f"mass {name}", name, 1.0)
-    contact = fx.Contact(1e6, friction=0.1, slip_speed=0.01, **bristles)
-    section = {"radius": 5e-3, "EA": 1e4, "EI": 1e-2, "mass_per_length": 0.1}
-    m.rope("rope", ["A", ("sheave", -1), "B"], 12, contact=contact, **section)
-    system = m.build()
-    method, why, _ = automatic(system, system.at_rest, 0.01, Options())
-    assert ("ropes run over sheaves" in why) == (not bristles)
-    assert bristles or method == "generalized-alpha"
