@@ -59,7 +59,18 @@ def build(model: Lowering, t: float, kind: type[Built]) -> Built:
     system = kind(evaluation, loads, chosen, c, model.rates)
     _warn(suspects(model, structure, size_of(structure)))
     log.info("%s; degrees of freedom %s", system, "chosen" if model.dynamic is None else "as named")
+    _log_rates(system)
     return system
+
+
+def _log_rates(system: CoreSystem) -> None:
+    """Report with what rates the degrees of freedom start, if any of them moves."""
+    if not log.isEnabledFor(logging.INFO):
+        return
+    start = system.unaccelerated
+    moving = [f"{name}' = {start.rate(name):.6g}" for name in system.dynamic if start.rate(name)]
+    if moving:
+        log.info("at t = %g s: %s", start.t, ", ".join(moving))
 
 
 def _warn(found: Sequence[Finding]) -> None:

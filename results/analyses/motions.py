@@ -64,7 +64,8 @@ def simulate(
         Length of the motion [s].
     start : State, optional
         The initial state by default; without its accelerations if a degree of freedom has no inertia and the
-        method is generalized-alpha.
+        method is generalized-alpha.  If its rates are not the prescribed ones, as with ``start=system.at_rest``, these
+        jump at the start, with an impulse.
     times : array_like, optional
         Times [s] at which states are stored, and only these: include the start if it is wanted. By default,
         `samples` equidistant times from the start on.

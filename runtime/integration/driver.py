@@ -163,6 +163,13 @@ class Run(ABC):
             self.result.events.append((event.name, state))
         return terminal
 
+    def begins_with_jump(self) -> bool:
+        """Whether the start does not have the prescribed rates: they then jump there, with an impulse."""
+        jumps = self.knots.jumps_at(self.result.states[0])
+        if jumps:
+            log.info("t = %.9g s: prescribed rates jump, since the start does not have them", self.t)
+        return jumps
+
     def _pass_knots(self) -> None:
         """Cross the knot at the current time if there is one, and look for the next."""
         if self.t < self.knots.end:

@@ -13,6 +13,7 @@ import numpy as np
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError
 from flexel.base.time_functions import TimeFunction, next_knot, on_knot, value_of
+from flexel.model.state import State
 from flexel.system import CoreSystem
 
 ASIDE = 1e-14  # distance from a knot at which a function is evaluated, relative to the times
@@ -79,6 +80,7 @@ class Knots:
 
     def __init__(self, system: CoreSystem, begin: float, end: float) -> None:
         self._names = [system.structure.names[i] for i in system.roles.prescribed]
+        self._prescribed = system.roles.prescribed
         self._motions, self._loads = system.roles.motions, system.loads.functions
         laws = [LawKnots(np.array(law.knots)) for law in system.structure.laws if law.knots]
         self._functions: list[object] = [
@@ -113,6 +115,14 @@ class Knots:
         if end != self.end or first != self.interval.first:
             self.end = end
             self.interval = Interval(first, end if end == np.inf else end - self._aside(end))
+
+    def jumps_at(self, state: State) -> bool:
+        """Whether prescribed rates differ from those of the state in which a motion starts."""
+        if not self._motions:
+            return False
+        found = np.concatenate([state.rates, state.v])[self._prescribed]
+        wanted = [float(f.rates(self.inside(state.t))[1]) for f in self._motions]
+        return any(_jumps(before, after) for before, after in zip(found.tolist(), wanted, strict=True))
 
     def cross(self, t: float) -> str:
         """Enter the interval after the knot at t; return what jumps there.

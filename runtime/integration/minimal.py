@@ -29,6 +29,7 @@ from flexel.integration.imbalance import AT_REST, ROUNDING, STEPS, Imbalance, ex
 from flexel.integration.outcome import Integration
 from flexel.integration.segments import DenseOutput, Pending, Step
 from flexel.mechanics.amplification import amplification, lost
+from flexel.mechanics.impulse import struck
 from flexel.mechanics.kinematics import Kinematics
 from flexel.mechanics.timed_laws import timed_law
 from flexel.model.snapshot import Snapshot
@@ -148,7 +149,9 @@ class MinimalRun(DenseRun):
         return self.choices.kinematics
 
     def begin(self) -> None:
-        """Change to better degrees of freedom at the start if the given ones are poor there."""
+        """Take over prescribed rates that the start does not have; change to better degrees of freedom there."""
+        if self.begins_with_jump():
+            self.now = struck(self._shown, self.now, self.knots.inside(self.t))
         self.amplification = self.choices.amplification(self.now)
         self.consider(WORSE)
         self.restart()

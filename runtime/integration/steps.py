@@ -125,9 +125,11 @@ class GeneralizedAlpha(Run):
         return stored if stored.t == self.t else self.stepper.state(self.balance())
 
     def begin(self) -> None:
-        """Start the energy balance."""
+        """Start the energy balance, and take over prescribed rates that the start does not have."""
         self.balance()
         self.energy_balance.begin()
+        if self.begins_with_jump():
+            self.strike()
 
     def keep(self) -> None:
         """Store the current state, unless it is already stored."""
