@@ -168,9 +168,9 @@ def _check_dofs(to: Lowering, owner: str, names: tuple[str, ...]) -> None:
 class Initial(Part[None]):
     """Set the initial value and rate of a coordinate or deformation (a slip: rate only).
 
-    Rates that the given ones and the prescribed motions do not determine: degrees of freedom that `independent` names
-    are at rest; otherwise springs and elastic parts keep their lengths, so that a machine whose drive runs at the start
-    runs as a whole.  ``start=system.at_rest`` starts it from rest instead, with the impulse of its drive.
+    Where the given rates and the prescribed motions leave a choice, springs and elastic parts keep their lengths: a
+    machine whose drive runs at the start runs as a whole.  ``start=system.at_rest`` starts it from rest instead, with
+    the impulse of its drive.
     """
 
     name: str = entry("The coordinate, deformation or slip.")

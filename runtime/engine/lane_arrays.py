@@ -118,6 +118,12 @@ class LaneCovered(LaneStruct):
         """Return how far y (ny,) has moved in a lane, these values included."""
         return ranges(self.arrays["least_y"][:, lane], self.arrays["most_y"][:, lane], y)
 
+    def accepted_error(self, lane: int, accept: float) -> float:
+        """Return the error of a position that is accepted in the next step of a lane."""
+        sizes = self.arrays["sizes"][:, lane]
+        of_motion = float(sizes[lib.FLEXEL_RANGE]), float(sizes[lib.FLEXEL_TAKEN])
+        return float(lib.flexel_accepted_error(self.struct, accept, *of_motion))
+
     def part(self, lane: int) -> float:
         """Return the part of the tolerances that the next step of a lane gets."""
         return float(lib.flexel_part_of_step(self.struct, self.arrays["sizes"][lib.FLEXEL_TAKEN, lane]))

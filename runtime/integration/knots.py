@@ -18,6 +18,9 @@ from flexel.system import CoreSystem
 
 ASIDE = 1e-14  # distance from a knot at which a function is evaluated, relative to the times
 JUMP = 1e-9  # relative change across a knot that counts as a jump
+OTHER = (
+    0.01  # relative difference of a prescribed rate at a start that is more than the error of another motion
+)
 SMOOTH, FORCES, RATES = "smooth", "forces", "rates"  # what jumps at a knot
 
 
@@ -122,7 +125,8 @@ class Knots:
             return False
         found = np.concatenate([state.rates, state.v])[self._prescribed]
         wanted = [float(f.rates(self.inside(state.t))[1]) for f in self._motions]
-        return any(_jumps(before, after) for before, after in zip(found.tolist(), wanted, strict=True))
+        pairs = zip(found.tolist(), wanted, strict=True)
+        return any(abs(after - before) > OTHER * max(abs(before), abs(after)) for before, after in pairs)
 
     def cross(self, t: float) -> str:
         """Enter the interval after the knot at t; return what jumps there.

@@ -183,7 +183,8 @@ class LaneMotions:
         allowed = run.allowed_inside(
             *scales, y0, y1, self._covered.ranges(lane, y1), self._covered.part(lane)
         )
-        exactness = float(run.tolerances.rtol), float(l.choice.struct.accept)
+        accept = self._covered.accepted_error(lane, float(l.choice.struct.accept))
+        exactness = float(run.tolerances.rtol), accept
         z1 = y1[y1.size - run.z.size :].copy()
         of = y0, rates0, w0, w_rates0, z1, allowed, run.knots.interval, *exactness
         run.pass_step(first, last, Interpolant(run.kinematics, first, last, *of))

@@ -1,9 +1,8 @@
 """Chooses the rates at the start of a motion: the given ones, and the others as a person would expect them.
 
-Given rates and those of prescribed motions hold.  If they leave a choice, degrees of freedom that the user has named
-are at rest; then deformations with a law do not change, then other free deformations do not; the remaining rates
-minimize the kinetic energy.  Where nobody has named them, the result does not depend on the choice of the degrees of
-freedom.
+Given rates and those of prescribed motions hold.  If they leave a choice, deformations with a law do not change, then
+other free deformations do not; the remaining rates minimize the kinetic energy.  The result does not depend on the
+choice of the degrees of freedom.
 """
 
 from __future__ import annotations
@@ -87,8 +86,7 @@ def _expected(
     structure, roles = kinematics.structure, kinematics.roles
     v = structure.m + structure.k + np.arange(structure.nf)
     N, unknowns = (_constrained if kinematics.lists.saddle else _independent)(kinematics, choice)
-    named = (roles.dynamic,) if roles.named else ()
-    for level, target in ((rows, wanted), *((level, 0.0) for level in (*named, *kinematics.kept_at_start))):
+    for level, target in ((rows, wanted), *((level, 0.0) for level in kinematics.kept_at_start)):
         if level.size:
             scale = kinematics.scales(level)
             unknowns.reduce(_rows(N, level, scale), (target - first[level]) / scale)
