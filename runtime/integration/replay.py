@@ -9,7 +9,7 @@ again.
 from __future__ import annotations
 
 from array import array
-from bisect import bisect_left
+from bisect import bisect_left, bisect_right
 from collections.abc import Mapping
 from dataclasses import dataclass
 from threading import Lock
@@ -74,7 +74,8 @@ class Replay:
         self._live: AlphaStepper | None = live
         self._ends = array("d")  # of the steps [s]
         self._points: dict[int, StepEnd] = {}  # at the starts of some of them
-        self._intervals: dict[int, Interval] = {}  # from these steps on
+        self._intervals: dict[int, Interval] = {}  # of the functions of time, each from a step on
+        self._interval: Interval | None = None  # the last of them
         self._due = True
         self._reset()
 
@@ -86,7 +87,7 @@ class Replay:
 
     def __getstate__(self) -> dict[str, Any]:
         """Return what is needed to take the steps again."""
-        kept = ("_arguments", "_ends", "_points", "_intervals", "_due")
+        kept = ("_arguments", "_ends", "_points", "_intervals", "_interval", "_due")
         return {name: getattr(self, name) for name in kept}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
@@ -113,8 +114,9 @@ class Replay:
         number = len(self._ends)
         if self._due or number % SPACING == 0:
             self._points[number] = StepEnd.of(self._living.t, self._living.stepping.old)
-            self._intervals[number] = interval
             self._due = False
+        if interval is not self._interval:
+            self._intervals[number] = self._interval = interval
         self._ends.append(t1)
         self._ended = None
 
@@ -197,18 +199,22 @@ class Replay:
             twin.inside = self._living.inside
             self._at = number
             return twin
-        first = max(i for i in self._points if i <= number)
+        first = _last(self._points, number)
         if self._at is None or not first <= self._at <= number:
             point = self._points[first]
             twin.take(point.t, point.values)
             self._at = first
-        twin.inside = self._intervals[first].inside
         while self._at < number:
             reached = self._at + 1
+            twin.inside = self._interval_of(self._at).inside
             self._at = None  # if it fails
             self._advance(twin, self._ends[reached - 1])
             self._at = reached
+        twin.inside = self._interval_of(number).inside
         return twin
+
+    def _interval_of(self, number: int) -> Interval:
+        return self._intervals[_last(self._intervals, number)]
 
     def _advance(self, twin: AlphaStepper, t: float) -> None:
         """Go on to a time, in one step if it is found, in shorter ones otherwise."""
@@ -223,6 +229,12 @@ class Replay:
                         "smooth there; give it as one of the times to store"
                     )
             twin.accept(t if h == rest else twin.t + h)
+
+
+def _last(numbers: Mapping[int, object], number: int) -> int:
+    """Return the last of some numbers, in increasing order, that is not above another."""
+    known = list(numbers)
+    return known[bisect_right(known, number) - 1]
 
 
 @dataclass(frozen=True)

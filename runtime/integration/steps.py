@@ -234,24 +234,10 @@ class GeneralizedAlpha(Run):
     def advance(self) -> str | None:
         """Take one accepted step, or that up to a terminal event within it."""
         stepper, now, until = self.stepper, self.t, self._goal()
-        gap = until - now
         if self._watch.any:
             self._watch.note(self.balance().a)
         first = self._start() if self._unwatched else None
-        parts = max(math.ceil(gap / min(self._wish, self.control.longest) * (1 - 1e-9)), 1)
-        step = asked = gap / parts
-        while (error := self._error(step)) > 1.0:
-            self._rejected += 1
-            step *= 0.5 if math.isinf(error) else max(0.2, 0.9 * error ** (-1 / 3))
-            if step < self.shortest:
-                raise self.failure()
-        self._steps += 1
-        self._refused = (0.0, 0.0)
-        growth = min(2.0, 0.9 * max(error, 1e-6) ** (-1 / 3))
-        allowed = step * (1.0 if 1.0 < growth < STEADY else growth)
-        self._wish = max(allowed, self._wish) if step == asked else allowed
-        if step == asked:
-            self._halvings, self._false = max(self._halvings - 1, 0), max(self._false - 1, 0)
+        step = self._found(until - now)
         end = now + step
         if abs(end - until) < NEAR * step:
             end = until
@@ -272,6 +258,24 @@ class GeneralizedAlpha(Run):
         if self.t >= self.until:
             self.keep()
         return None
+
+    def _found(self, gap: float) -> float:
+        """Find a step that divides a gap [s], or a shorter one; return its length, and wish for that of the next."""
+        parts = max(math.ceil(gap / min(self._wish, self.control.longest) * (1 - 1e-9)), 1)
+        step = asked = gap / parts
+        while (error := self._error(step)) > 1.0:
+            self._rejected += 1
+            step *= 0.5 if math.isinf(error) else max(0.2, 0.9 * error ** (-1 / 3))
+            if step < self.shortest:
+                raise self.failure()
+        self._steps += 1
+        self._refused = (0.0, 0.0)
+        growth = min(2.0, 0.9 * max(error, 1e-6) ** (-1 / 3))
+        allowed = step * (1.0 if 1.0 < growth < STEADY else growth)
+        self._wish = max(allowed, self._wish) if step == asked else allowed
+        if step == asked:
+            self._halvings, self._false = max(self._halvings - 1, 0), max(self._false - 1, 0)
+        return step
 
     def _replayed(self, t0: float, t1: float) -> Replayed:
         """Return a stretch of the motion, or its present step, with the states within it."""

@@ -127,6 +127,26 @@ def test_states_at_any_time_also_around_jumps(options: dict[str, float]) -> None
         assert found.rate("mass.x") == pytest.approx(wanted.rate("mass.x"), abs=3e-3)
 
 
+@pytest.mark.parametrize("options", OPTIONS)
+def test_states_at_any_time_also_beyond_knots_where_nothing_jumps(options: dict[str, float]) -> None:
+    """A base that is moved by a cubic table, in many more pieces than there are points; reference: DOP853."""
+    m = fx.Model(gravity=(0, 0))
+    m.point("foot", (0, 0))
+    m.point("mass", (1, 0))
+    m.fix("foot.y", "mass.y")
+    m.prescribe("foot.x", fx.Table(t := np.linspace(0, 2, 81), 0.1 * np.sin(3 * t)))
+    m.truss("spring", "foot", "mass", stiffness=100.0)
+    m.point_mass("block", "mass", 1.0)
+    system = m.build()
+    motion, right = (
+        system.simulate(2.0, samples=3, method=METHOD, **options),
+        system.simulate(2.0, samples=3, method="DOP853"),
+    )
+    for t in np.random.default_rng(6).uniform(0, 2, 40):
+        assert motion.at(t)["foot.x"] == pytest.approx(right.at(t)["foot.x"], abs=1e-12)
+        assert motion.at(t)["mass.x"] == pytest.approx(right.at(t)["mass.x"], abs=2e-4)
+
+
 def test_a_copy_and_a_pickle_give_the_same_states() -> None:
     motion = driven().simulate(2.5, method=METHOD, samples=3)
     wanted = [motion.at(t)["mass.x"] for t in (2.2, 0.3, 1.3)]
