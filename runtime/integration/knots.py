@@ -125,8 +125,7 @@ class Knots:
             return False
         found = np.concatenate([state.rates, state.v])[self._prescribed]
         wanted = [float(f.rates(self.inside(state.t))[1]) for f in self._motions]
-        pairs = zip(found.tolist(), wanted, strict=True)
-        return any(abs(after - before) > OTHER * max(abs(before), abs(after)) for before, after in pairs)
+        return any(_differ(before, after) for before, after in zip(found.tolist(), wanted, strict=True))
 
     def cross(self, t: float) -> str:
         """Enter the interval after the knot at t; return what jumps there.
@@ -154,6 +153,11 @@ class Knots:
 
 def _rates(function: TimeFunction, t: float) -> Array:
     return np.array(function.rates(t))
+
+
+def _differ(before: float, after: float) -> bool:
+    """Whether rates at a start are those of another motion."""
+    return _jumps(before, after) and abs(after - before) > OTHER * max(abs(before), abs(after))
 
 
 def _jumps(before: float, after: float) -> bool:

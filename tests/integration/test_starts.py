@@ -79,3 +79,18 @@ def test_both_are_logged(caplog: pytest.LogCaptureFixture) -> None:
     assert "at t = 0 s: B.x' = 0.3" in caplog.text
     system.simulate(0.1, start=system.at_rest, samples=2)
     assert "prescribed rates jump, since the start does not have them" in caplog.text
+
+
+def test_a_ramp_that_begins_at_the_start_does_not_jump(caplog: pytest.LogCaptureFixture) -> None:
+    caplog.set_level(logging.INFO, "flexel")
+    m = fx.Model()
+    m.point("A", (0, 0))
+    m.fix("A.y")
+    m.point_mass("block", "A", 1.0)
+    m.prescribe("A.x", fx.Ramp(0, 1, 0, 1))
+    m.point("B", (1, 0))
+    m.fix("B.y")
+    m.truss("spring", "A", "B", stiffness=100.0)
+    m.point_mass("other", "B", 1.0)
+    m.build().simulate(0.1, samples=2)
+    assert "jump" not in caplog.text
