@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+import warnings
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -10,10 +12,11 @@ import numpy as np
 from flexel.base.arguments import mapping, names, unknown
 from flexel.base.arrays import Array
 from flexel.base.blas import in_one_thread
+from flexel.base.callers import outside
 from flexel.base.errors import ModelError
 from flexel.integration import methods
 from flexel.integration.driver import Run
-from flexel.integration.outcome import stored_times
+from flexel.integration.outcome import Said, gathered, stored_times
 from flexel.integration.simulation import ended
 from flexel.integration.trajectory import Trajectory
 from flexel.model.quantities import history
@@ -24,6 +27,7 @@ from flexel.results.analyses.variant_runs import C, Recomputation, Values, varia
 from flexel.results.ensemble import Ensemble
 from flexel.system import CoreSystem
 
+NUMBER = re.compile(r"(?<![\w.])-?\d[\d.]*(?:e[-+]?\d+)?")  # not that of a name
 OPTIONS = ("method", *sorted(set().union(*methods.OPTIONS.values()) - {"events"}))
 
 
@@ -105,6 +109,8 @@ def simulate_many(
 
     Warns
     -----
+    AuditWarning, DampingWarning, RangeWarning
+        What single motions warn of, once for each cause: how many variants, and the text of the first.
     IncompleteWarning
         Some variants failed, or an interrupt (Ctrl-C) left them out: how many, and the first reason.
     """
@@ -118,20 +124,34 @@ def simulate_many(
 
     motion = MotionOf(float(grid[-1] - begin.t), grid, start, values, options)
 
-    def end(system: CoreSystem, run: Run, why: str) -> tuple[Array, dict[str, int]]:
-        found = Trajectory(system, ended(system, run, why, grid))
+    def end(system: CoreSystem, run: Run, why: str) -> tuple[Array, dict[str, int], Said]:
+        with gathered() as said:
+            found = Trajectory(system, ended(system, run, why, grid))
         rows = np.full((len(wanted), grid.size), np.nan)
         for row, name in zip(rows, wanted, strict=True):
             row[: len(found)] = found[name]
-        return rows, found.statistics
+        return rows, found.statistics, said
 
     runner = MotionRunner(system, values, motion.begun, end)
     runner.run(threads, progress)
     runner.report("simulate_many")
     all_rows = np.full((len(wanted), values.count, grid.size), np.nan)
     statistics: list[dict[str, int]] = [{} for _ in range(values.count)]
-    for i, (rows, counts) in runner.results.items():
+    for i, (rows, counts, _) in runner.results.items():
         all_rows[:, i], statistics[i] = rows, counts
+    _warn({i: said for i, (_, _, said) in sorted(runner.results.items())}, values.count)
     series = {name: (rows, unit) for name, rows, unit in zip(wanted, all_rows, units, strict=True)}
     given = values.given | {name: np.array(column) for name, column in values.initial.items()}
     return Ensemble(grid, series, given, runner.failed, statistics, Recomputation(system, values, motion))
+
+
+def _warn(said: Mapping[int, Said], count: int) -> None:
+    """Warn once for each cause; texts that differ in their numbers alone have the same cause."""
+    causes: dict[tuple[type[Warning], str], list[tuple[int, str]]] = {}
+    for i, entries in said.items():
+        for category, text in entries:
+            causes.setdefault((category, NUMBER.sub("#", text)), []).append((i, text))
+    for (category, _), found in causes.items():
+        first, text = found[0]
+        many = f"{len(found)} of {count} variants, number {first} first: "
+        warnings.warn(f"simulate_many: {many}{text}", category, stacklevel=outside())

@@ -4,6 +4,8 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import dataclass, field, replace
 from typing import Any, SupportsIndex, overload
 
@@ -120,6 +122,21 @@ class States(Sequence[State]):
         return (self[i] for i in range(len(self)))
 
 
+Said = list[tuple[type[Warning], str]]
+_gathered: ContextVar[Said | None] = ContextVar("gathered", default=None)
+
+
+@contextmanager
+def gathered() -> Iterator[Said]:
+    """Gather the warnings of motions instead of issuing them."""
+    said: Said = []
+    token = _gathered.set(said)
+    try:
+        yield said
+    finally:
+        _gathered.reset(token)
+
+
 EQUILIBRIA = "equilibria"  # the statistic that only states without anything between them have
 
 
@@ -169,10 +186,18 @@ class Integration:
         )
 
     def warn(self, text: str, category: type[Warning], owner: str = "simulate: ") -> None:
-        """Record evidence against the motion, and issue it once as a Python warning, after the owner's name."""
-        if text not in self.warnings:
-            self.warnings.append(text)
+        """Record evidence against the motion, and issue it once as a Python warning, after the owner's name.
+
+        Within `gathered` it is not issued: who gathers does so.
+        """
+        if text in self.warnings:
+            return
+        self.warnings.append(text)
+        said = _gathered.get()
+        if said is None:
             warnings.warn(owner + text, category, stacklevel=outside())
+        else:
+            said.append((category, text))
 
     def since(self, t: float) -> Integration:
         """Drop the states before a time, such as a start that is not to be stored.

@@ -285,3 +285,17 @@ def test_variants_without_any_result_raise_the_reason_of_the_first(call: Any) ->
         call(s, {"bob.mass": [0.0]})
     with pytest.warns(fx.IncompleteWarning, match=r"1 of 3 variants failed; number 1: .*moves no mass"):
         call(s, {"bob.mass": [1.0, 0.0, 2.0]})
+
+
+@pytest.mark.parametrize("threads", [1, 2])
+def test_what_single_motions_warn_of_is_said_once_a_cause(threads: int) -> None:
+    """Bicycles that fall, whose wheels would lift: a warning for each wheel, not for each variant."""
+    system = bicycle()
+    rates = np.linspace(0.1, 0.3, 12)
+    with pytest.warns(fx.AuditWarning) as caught:
+        system.simulate_many(
+            2.0, initial={"lean.angle'": rates}, samples=101, method="DOP853", threads=threads
+        )
+    texts = sorted(str(one.message) for one in caught)
+    assert len(texts) == len({text.split("wheel ")[1].split(" pulls")[0] for text in texts}) <= 2
+    assert all(" of 12 variants, number 0 first: wheel '" in text for text in texts)
