@@ -154,7 +154,7 @@ class EventSamples:
 
     def _inside(self, number: int, segments: Sequence[Segment]) -> EventSample | None:
         begin, end = segments[0].t0, segments[-1].t1
-        count = min(EVERY * len(segments), MOST)
+        count = min(EVERY * (len(self._times) - 1), MOST)
         times = (begin + (end - begin) * (np.arange(count) + 0.5) / count).tolist()
         ends = [step.t1 for step in segments]
         return self._first(number, times, lambda k: segments[bisect_left(ends, times[k])].state(times[k]))
