@@ -116,17 +116,25 @@ class Inside(Stages):
         lib.flexel_dop853_take(self.choice.work.struct, self.struct, live.struct)
         self._of, self._known = step, EXTRA
 
-    def again(self, step: Interpolant, h: float) -> None:
-        """Take the stages of a step anew, or those of a shorter one from its start, of length h [s]."""
+    def again(self, step: Interpolant, h: float, given: Array | None = None) -> None:
+        """Take the stages of a step anew, or those of a shorter one from its start, of length h [s].
+
+        Prescribed motions and loads at the stages are those that are given, if they are known.
+        """
         self._of, t = None, step.first.t
         self.place(step.first, step.y0, step.rtol)
         self.K[0], self.w[:], self.w_rates[0] = step.rates0, step.w0, step.w_rates0
         self.V[0], self.turning[0] = step.first.v[: self.V.shape[1]], step.first.ed[self.periodic]
-        self.give_stages(step.interval, t, h)
+        if given is None:
+            self.give_stages(step.interval, t, h)
+        else:
+            self.given_stages[:] = given
         self.choice.struct.accept = step.accept
         code = lib.flexel_dop853_again(*self._structs, t, h)
         self._restore()
         self.kinematics.check(code, t + h, self.choice)
+        if h == step.h:
+            self._of, self._known = step, EXTRA
 
     def _restore(self) -> None:
         """Let positions be found to rounding again, by all who use these arrays."""
@@ -137,7 +145,6 @@ class Inside(Stages):
         """Find the stages of a step up to a number of them; whether there are all."""
         if self._of is not step:
             self.again(step, step.h)
-            self._of, self._known = step, EXTRA
         return all(self._finds(step, end) for end in (LOBATTO, INSIDE) if self._known < end <= stages)
 
     def _finds(self, step: Interpolant, end: int) -> bool:
@@ -246,13 +253,16 @@ class Interpolant(DenseOutput):
             return 7
         return 8 if inside.knows(self, INSIDE) and inside.satisfied(self, FINAL) else 0
 
-    def take(self, live: Steps) -> None:
+    def take(self, live: Steps, stored: bool) -> None:
         """Take the stages of a step that was just found, if they will be the same when they are found anew.
 
-        They are not where pivots have changed, or rates at the start were those of other degrees of freedom.
+        They are not where pivots have changed, or rates at the start were those of other degrees of freedom: where
+        states within the step are stored, they are then found anew at once.
         """
         if live.first_order and np.array_equal(live.V[0], self.first.v[: live.V.shape[1]]):
             self.inside.take(self, live)
+        elif stored:
+            self.inside.again(self, self.h, live.given_stages)
 
     def moment(self, t: float) -> tuple[Snapshot, Array]:
         """Return the instant at a time [s] in the step, and the internal states."""

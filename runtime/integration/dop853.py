@@ -252,8 +252,9 @@ class Dop853(MinimalRun):
         exactness = float(s.struct.rtol), float(s.choice.struct.accept)
         begun = s.y.copy(), s.K[0].copy(), s.w.copy(), s.w_rates[0].copy()
         dense = Interpolant(self.kinematics, first, last, *begun, z, allowed, self.knots.interval, *exactness)
-        if self.events or self.until < last.t:
-            dense.take(s)
+        stored = self.until < last.t
+        if self.events or stored:
+            dense.take(s, stored)
         s.accept()
         return self.end_step(first.t, dense, first, z, last)
 

@@ -64,6 +64,7 @@ class Stages(Struct):
         self.space = self.new("space", max(2 * ny, nf))
         c.ngiven = self.choice.motion.size + self.choice.loads.size
         self._given = self.new("given", rows * c.ngiven).reshape(rows, -1)
+        self.given_stages = self._given[1 : TIMES.size]  # prescribed motions and loads, but for the start
         self.rotations = r = Rotations.of(s, roles)
         for name in LISTS:
             setattr(c.rotations, name, self.integers(getattr(r, name).flatten()))
@@ -87,7 +88,7 @@ class Stages(Struct):
     def give_stages(self, interval: Smooth, t: float, h: float) -> None:
         """Set prescribed motions and loads at the stages of a step, in an interval where these are smooth."""
         if self._given.size:
-            give(self.kinematics, interval, self._given[1:13], [t + part * h for part in TIMES[1:]])
+            give(self.kinematics, interval, self.given_stages, [t + part * h for part in TIMES[1:]])
 
     @property
     def _structs(self) -> tuple[Any, Any, Any]:
