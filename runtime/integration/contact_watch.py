@@ -2,15 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.engine.contact_selection import free_gaps
 from flexel.engine.workspace import Workspace
 from flexel.mechanics.kinematics import size_of
+from flexel.model.structure import Structure
 
 DEPTH = 1e-6  # depth that does not matter, relative to the size of the model
 DEEP = 0.1  # error of a gap, relative to the depth of its contact, above which a step is halved
+
+
+def negligible(structure: Structure) -> float:
+    """Return the depth of a contact [m] that does not matter."""
+    return DEPTH * size_of(structure)
 
 
 class ContactWatch:
@@ -32,7 +40,7 @@ class ContactWatch:
     def __init__(self, work: Workspace, given: bool) -> None:
         self._rows = free_gaps(work.tables)
         self.any = bool(self._rows.size) and not given
-        self._work, self._least = work, DEPTH * size_of(work.tables.structure) if self.any else 0.0
+        self._work, self._least = work, negligible(work.tables.structure) if self.any else 0.0
         self._gap = self._rate = self._bend = self._rows.astype(float)
 
     def note(self, a: Array) -> None:
@@ -50,21 +58,21 @@ class ContactWatch:
         lowest = lowest_bound((self._gap[turned], gap[turned]), (first[turned], last[turned]), h)
         return bool(np.any(lowest < -self._least))
 
-    def rough(self, change: Array) -> bool:
+    def rough(self, change: Callable[[], Array]) -> bool:
         """Whether a step is too coarse for a contact: the error of its gap is no small part of its depth.
 
         A contact that begins is as deep as the step has let it be, so that steps become short beside its duration.
 
         Parameters
         ----------
-        change : ndarray (n,)
-            Local errors of the coordinates.
+        change : callable() -> ndarray (n,)
+            Local errors of the coordinates; called where a contact is closed.
         """
         depth = -np.minimum(self._gap, self._work.e[self._rows])
         closed = depth > 0
         if not closed.any():
             return False
-        error = np.abs(self._work.jvp(change)[self._rows[closed]])
+        error = np.abs(self._work.jvp(change())[self._rows[closed]])
         return bool(np.any(error > DEEP * depth[closed]))
 
     def _now(self) -> tuple[Array, Array]:

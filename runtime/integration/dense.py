@@ -202,10 +202,6 @@ class Interpolant(DenseOutput):
 
     Attributes
     ----------
-    kinematics : Kinematics
-        The degrees of freedom of the step.
-    first, last : Snapshot
-        Its ends.
     y0, rates0 : ndarray (ny,)
         Values at the start, and their rates.
     w0, w_rates0 : ndarray (3 count,)
@@ -220,9 +216,6 @@ class Interpolant(DenseOutput):
         With which positions were found.
     """
 
-    kinematics: Kinematics
-    first: Snapshot
-    last: Snapshot
     y0: Array
     rates0: Array
     w0: Array

@@ -13,7 +13,8 @@ from flexel.engine.lanes import aligned
 from flexel.engine.rotations import LISTS, Rotations
 from flexel.engine.structs import Struct
 from flexel.generated._kernels import ffi
-from flexel.integration.inputs import Smooth, give
+from flexel.integration.inputs import give
+from flexel.integration.knots import Interval
 from flexel.mechanics.kinematics import Kinematics
 from flexel.model.snapshot import Snapshot
 
@@ -85,7 +86,7 @@ class Stages(Struct):
         self.choice.struct.accept = 0.0
         self.y[:], self.x[:], self.e[:] = y, now.x, now.e[self.periodic]
 
-    def give_stages(self, interval: Smooth, t: float, h: float) -> None:
+    def give_stages(self, interval: Interval, t: float, h: float) -> None:
         """Set prescribed motions and loads at the stages of a step, in an interval where these are smooth."""
         if self._given.size:
             give(self.kinematics, interval, self.given_stages, [t + part * h for part in TIMES[1:]])

@@ -67,7 +67,7 @@ class Steps(Stages):
 
     def begin(self, t: float) -> None:
         """Compute the rates at the start."""
-        give(self.kinematics, self._knots, self._given[:1], [t])
+        give(self.kinematics, self._knots.interval, self._given[:1], [t])
         self.kinematics.check(lib.flexel_dop853_begin(*self._structs, t), t, self.choice)
 
     def step(self, t: float, h: float, careful: bool) -> int:
@@ -81,7 +81,7 @@ class Steps(Stages):
         self.struct.determinant = self._determinant if careful else ffi.NULL
         if careful:
             self.begin(t)
-        self.give_stages(self._knots, t, h)
+        self.give_stages(self._knots.interval, t, h)
         return int(lib.flexel_dop853_step(*self._structs, t, h))
 
     def end(self, t: float) -> Snapshot:

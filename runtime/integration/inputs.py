@@ -3,27 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Protocol
 
 from flexel.base.arrays import Array
+from flexel.integration.knots import Interval
 from flexel.mechanics.kinematics import Kinematics
 
 
-class Smooth(Protocol):
-    """Where functions of time are smooth: an interval between knots, or the present one of `Knots`."""
-
-    def inside(self, t: float) -> float:
-        """Return the time [s], or the nearest one within the interval."""
-
-
-def give(kinematics: Kinematics, knots: Smooth, given: Array, times: Sequence[float]) -> None:
+def give(kinematics: Kinematics, interval: Interval, given: Array, times: Sequence[float]) -> None:
     """Fill rows (times, 3 prescribed + loads) with prescribed motions (value, rate, second rate) and loads.
 
     Parameters
     ----------
     kinematics : Kinematics
-    knots : Smooth
-        The interval between knots in which the functions are evaluated.
+    interval : Interval
+        Between knots, in which the functions are evaluated.
     given : ndarray (times, 3 prescribed + loads)
     times : sequence of float
         [s]
@@ -32,9 +25,9 @@ def give(kinematics: Kinematics, knots: Smooth, given: Array, times: Sequence[fl
     split = given.shape[1] - loads.quantities.size
     varying = loads.any and not loads.steady
     if loads.any and loads.steady:
-        given[:, split:] = loads.values(knots.inside(times[0]))
+        given[:, split:] = loads.values(interval.inside(times[0]))
     for row, t in zip(given, times, strict=True) if motions or varying else ():
-        inside = knots.inside(t)
+        inside = interval.inside(t)
         if motions:
             row[:split] = kinematics.roles.motion(inside).ravel()
         if varying:

@@ -11,8 +11,7 @@ from scipy.optimize import minimize_scalar
 from flexel.base.arrays import Index
 from flexel.engine.contact_selection import free_gaps
 from flexel.engine.evaluate import Evaluation
-from flexel.integration.contact_watch import DEPTH, lowest_bound
-from flexel.mechanics.kinematics import size_of
+from flexel.integration.contact_watch import lowest_bound, negligible
 from flexel.mechanics.states import between
 from flexel.model.snapshot import Snapshot
 
@@ -64,7 +63,7 @@ class Passages:
         contacts = "gap" in evaluation.structure.kinds
         self._rows = free_gaps(evaluation.tables) if contacts else NONE
         self.any = bool(self._rows.size)
-        self._least = DEPTH * size_of(evaluation.structure) if self.any else 0.0
+        self._least = negligible(evaluation.structure) if self.any else 0.0
         self.found: list[Passage] = []
         self._looked = 0
 

@@ -171,7 +171,7 @@ class Collocation(Struct):
         self.choice.struct.accept = 0.0
         self.struct.t = now.t
         self.y[:], self.x[:], self.v[:], self.e[:], self.ed[:] = y, now.x, now.v, now.e, now.ed
-        give(self.kinematics, knots, self._given[3:], [now.t])
+        give(self.kinematics, knots.interval, self._given[3:], [now.t])
         self.kinematics.check(lib.flexel_radau_begin(*self._structs), now.t, self.choice)
 
     def take_over(self, before: Collocation) -> None:
@@ -237,7 +237,7 @@ class Collocation(Struct):
             if code != lib.FLEXEL_RADAU_INPUTS:
                 return code
             c = self.struct
-            give(self.kinematics, self._knots, self._given[:3], [c.t + part * c.h for part in NODES])
+            give(self.kinematics, self._knots.interval, self._given[:3], [c.t + part * c.h for part in NODES])
 
     def look(self, A: Array) -> None:
         """Take the Jacobian of the start of the step, of y in Euler parameters."""

@@ -139,7 +139,7 @@ class Replay:
         t0, start = twin.t, {name: twin.stepping.old[name].copy() for name in FORCES}
         if t <= t0:
             return twin, twin.current()
-        self._reach(number, t)
+        self._reach(twin, t)
         part, found = (t - t0) / (end.t - t0), twin.stepping.now
         a, mu = ((1 - part) * start[name] + part * end.values[name] for name in FORCES)
         return twin, twin.balance_at(t, found | {"a": a, "mu": mu})
@@ -150,20 +150,10 @@ class Replay:
             if number == self.number:
                 of, t = self._living, self._living.t + float(self._living.numbers.h)
             else:
-                t = self._ends[number]
-                of = self._reach(number, t)
+                of, t = self._begun(number), self._ends[number]
+                self._reach(of, t)
             self._ended = number, StepEnd.of(t, {name: of.stepping.now[name] for name in FORCES})
         return self._ended[1]
-
-    def _reach(self, number: int, t: float) -> AlphaStepper:
-        """Take a step again up to a time [s]; return the stepper, for which this is the end of a step."""
-        twin = self._begun(number)
-        h = t - twin.t
-        while h > 0 and not twin.step(h):
-            self._at = None
-            self._advance(twin, twin.t + h / 2)
-            h = t - twin.t
-        return twin
 
     def roughly(self, t: float) -> State:
         """Return a state near that at a time [s] within the present step, interpolated between its ends."""
@@ -208,7 +198,8 @@ class Replay:
             reached = self._at + 1
             twin.inside = self._interval_of(self._at).inside
             self._at = None  # if it fails
-            self._advance(twin, self._ends[reached - 1])
+            self._reach(twin, self._ends[reached - 1])
+            twin.accept(self._ends[reached - 1])
             self._at = reached
         twin.inside = self._interval_of(number).inside
         return twin
@@ -216,19 +207,22 @@ class Replay:
     def _interval_of(self, number: int) -> Interval:
         return self._intervals[_last(self._intervals, number)]
 
-    def _advance(self, twin: AlphaStepper, t: float) -> None:
-        """Go on to a time, in one step if it is found, in shorter ones otherwise."""
-        shortest = (t - twin.t) * 0.5**HALVINGS
-        while twin.t < t:
-            rest = h = t - twin.t
-            while not twin.step(h):
-                h /= 2
-                if h < shortest:
-                    raise DynamicsError(
-                        f"the state at t = {t:g} s, within a step of the motion, is not found: the motion is not "
-                        "smooth there; give it as one of the times to store"
-                    )
-            twin.accept(t if h == rest else twin.t + h)
+    def _reach(self, twin: AlphaStepper, t: float) -> None:
+        """Find the point at a time, in one step or in shorter ones, as the end of a step that is not accepted."""
+        rest = h = t - twin.t
+        shortest = rest * 0.5**HALVINGS
+        while not (found := twin.step(h)) or h < rest:
+            if found:
+                self._at = None  # no longer at the start
+                twin.accept(twin.t + h)
+                rest = h = t - twin.t
+                continue
+            h /= 2
+            if h < shortest:
+                raise DynamicsError(
+                    f"the state at t = {t:g} s, within a step of the motion, is not found: the motion is not "
+                    "smooth there; give it as one of the times to store"
+                )
 
 
 def _last(numbers: Mapping[int, object], number: int) -> int:

@@ -105,8 +105,21 @@ class Stretch(Segment):
         return self.pending(t).state()
 
 
+@dataclass(frozen=True, eq=False)
 class DenseOutput(Portable, ABC):
-    """Dense output of a step."""
+    """Dense output of a step.
+
+    Attributes
+    ----------
+    kinematics : Kinematics
+        The degrees of freedom of the step.
+    first, last : Snapshot
+        Its ends.
+    """
+
+    kinematics: Kinematics
+    first: Snapshot
+    last: Snapshot
 
     @abstractmethod
     def moment(self, t: float) -> tuple[Snapshot, Array]:
@@ -134,19 +147,7 @@ class Step(Stretch):
 
 @dataclass(frozen=True)
 class Variables(DenseOutput):
-    """Dense output that gives y(t) = (q, q_d', z), from which the coordinates are found.
-
-    Attributes
-    ----------
-    kinematics : Kinematics
-        The degrees of freedom of the step.
-    first, last : Snapshot
-        Its ends.
-    """
-
-    kinematics: Kinematics
-    first: Snapshot
-    last: Snapshot
+    """Dense output that gives y(t) = (q, q_d', z), from which the coordinates are found."""
 
     @abstractmethod
     def __call__(self, t: float) -> Array:

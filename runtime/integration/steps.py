@@ -344,7 +344,7 @@ class GeneralizedAlpha(Run):
         if self._false < MOST_FALSE and balance.spurious(h):
             self._false += 1
             return math.inf
-        if self._watch.any and (self._watch.skipped(h) or self._watch.rough(stepper.local_errors(h))):
+        if self._watch.any and (self._watch.skipped(h) or self._watch.rough(lambda: stepper.local_errors(h))):
             self._at_contact += 1
             return math.inf
         if self._halvings < MOST_HALVINGS:

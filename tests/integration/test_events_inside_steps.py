@@ -84,19 +84,24 @@ def test_a_gate_that_is_passed_just_after_a_kick_is_seen() -> None:
     assert times == pytest.approx([1.0244, 1.0254], abs=1e-12)
 
 
+def above_a_bar(height: float, radius: float) -> fx.System:
+    """A ball on a vertical guide above a bar; both have this radius."""
+    m = fx.Model(gravity=(0, -9.81))
+    m.point("axle", (0, 0), fixed=True)
+    m.angle("R", fixed=True)
+    m.sheave("bar", "axle", "R", radius=radius)
+    m.point("ball", (1e-4, height))
+    m.fix("ball.x")
+    m.point_mass("mass", "ball", 1.0)
+    m.contact("touch", "ball", "bar", fx.Contact(1e9, per="point"), radius=radius)
+    return m.build()
+
+
 @pytest.mark.parametrize("height", np.linspace(0.5, 2.0, 8))
 @pytest.mark.parametrize("method", ["generalized-alpha", "DOP853", "Radau", "auto"])
 def test_no_ball_falls_through_a_thin_bar(method: str, height: float) -> None:
     """A ball on a vertical guide is thrown back by a bar of 10 mm; a contact cannot be passed."""
-    m = fx.Model(gravity=(0, -9.81))
-    m.point("axle", (0, 0), fixed=True)
-    m.angle("R", fixed=True)
-    m.sheave("bar", "axle", "R", radius=0.005)
-    m.point("ball", (1e-4, height))
-    m.fix("ball.x")
-    m.point_mass("mass", "ball", 1.0)
-    m.contact("touch", "ball", "bar", fx.Contact(1e9, per="point"), radius=0.005)
-    motion = m.build().simulate(1.0, samples=11, method=method)
+    motion = above_a_bar(height, 0.005).simulate(1.0, samples=11, method=method)
     assert motion["ball.y"].min() > 0
     assert motion.rate("ball.y").max() > 1.0  # it has been thrown back
 
@@ -109,15 +114,7 @@ def test_nor_through_a_bar_that_is_thinner_than_the_tolerance(
     method: str, rtol: float, height: float
 ) -> None:
     """A bar of 2 mm under a fall of 2 m: the depth of the contact matters, 0.2 mm, not the size of the model."""
-    m = fx.Model(gravity=(0, -9.81))
-    m.point("axle", (0, 0), fixed=True)
-    m.angle("R", fixed=True)
-    m.sheave("bar", "axle", "R", radius=0.001)
-    m.point("ball", (1e-4, height))
-    m.fix("ball.x")
-    m.point_mass("mass", "ball", 1.0)
-    m.contact("touch", "ball", "bar", fx.Contact(1e9, per="point"), radius=0.001)
-    motion = m.build().simulate(1.0, samples=11, method=method, rtol=rtol)
+    motion = above_a_bar(height, 0.001).simulate(1.0, samples=11, method=method, rtol=rtol)
     assert motion["ball.y"].min() > 0
     total = motion.energy["total"]
     assert np.abs(total - total[0]).max() < 0.1 * 9.81 * height
