@@ -24,7 +24,7 @@ from flexel.examples import whipple
 from flexel.examples.bicycle_file import of_the_file
 from flexel.examples.reasons import ROUNDING, STEPS
 from flexel.examples.stable_speeds import LEAN_STEER, by_formulas, stable_speeds
-from flexel.integration.minimal import natural_scales_of_y
+from flexel.integration.step_method import natural_scales_of_y
 from flexel.mechanics.modes import Reduced
 from flexel.results.reproduction import Quantity, Report
 

@@ -19,7 +19,7 @@ from flexel.base.arrays import Array
 from flexel.examples import vehicle_data as data
 from flexel.examples.differences import state_matrix
 from flexel.examples.vehicle import BODY, SUSPENSION, vehicle
-from flexel.integration.minimal import natural_scales_of_y
+from flexel.integration.step_method import natural_scales_of_y
 from flexel.mechanics.modes import sort_eigenvalues
 from flexel.results.linearization import Linearization
 from flexel.system import CoreSystem

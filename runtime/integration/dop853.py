@@ -13,17 +13,16 @@ import numpy as np
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError, FlexelError
 from flexel.engine.coordinate_work import CoordinateWork
-from flexel.generated._kernels import lib
+from flexel.engine.covered import Covered
 from flexel.integration.account import of_dop853
-from flexel.integration.branch import REFUSED
 from flexel.integration.dense import UNRELIABLE, Interpolant
 from flexel.integration.dop853_stages import B
 from flexel.integration.dop853_steps import Steps
 from flexel.integration.flat import crossing_step, flat_position
-from flexel.integration.minimal import SHORTEST, MinimalRun
-from flexel.integration.segments import Step
+from flexel.integration.step_method import RESOLUTION, Attempted, Found, StepMethod, Tolerances
 from flexel.integration.touching import TRIALS, TouchingContacts
 from flexel.model.snapshot import Snapshot
+from flexel.model.structure import Structure
 
 SAFETY, SMALLEST, LARGEST = 0.9, 0.2, 10.0  # factors of the step control
 EXPONENT = -1 / 8
@@ -40,8 +39,8 @@ FIRST = 1e-9  # least first step, relative to the time left: values of y that ar
 SHORTER = 0.4  # factor of a step that is refused
 
 
-class Dop853(MinimalRun):
-    """One run of DOP853.
+class Dop853(StepMethod):
+    """Steps by DOP853.
 
     Attributes
     ----------
@@ -50,35 +49,56 @@ class Dop853(MinimalRun):
         Those of another motion that has ended, with the same tolerances: used again if the degrees of freedom are
         the same.
     touching : TouchingContacts
+    h : float
+        Length of the next trial [s].
     """
 
+    name = "DOP853"
+    quadrature = of_dop853()
     steps: Steps
     touching: TouchingContacts
     spare: Steps | None = None
-    method = "DOP853"
-    quadrature = of_dop853()
-    _h = 0.0
-    _tried = 0.0
-    _failed = 0
+    h = 0.0
+    _wished = 0.0  # that of the first one
+    _end = 0.0  # when it ends at the latest
+    _shortest = 0.0  # length below which it is too short [s]
+    _to = 0.0  # when the last trial ends
+    _code = 0  # what failed in it, or zero
+    _error = np.inf  # its error over what is allowed
+    _rejected = _careful = _first_order = False
+    _defect = np.inf  # of the rates, of a longer trial
+    _found = np.inf  # the same of the last one, if that is why it was refused
+    _left = TRIALS  # trials to end where a contact begins or ends
     _noise = 0.0  # largest defect of the rates that shorter steps did not reduce, with a margin
-    _flat = -np.inf  # time of a flat position that steps were refused at
+    _last: Snapshot  # at the end of the step that was found
+
+    @classmethod
+    def scale(cls, structure: Structure, weight: Array, given: Tolerances) -> Covered:
+        """Return what a motion covers, as the scale of its tolerances."""
+        return Covered(structure, weight, given.rtol, given.largest_atol, RESOLUTION, given.relative)
 
     def restart(self) -> None:
         """Restart from the present position in the present degrees of freedom."""
-        y = self.choices.values(self.now, self.z)
-        self.take()
-        self.touching = TouchingContacts(self.kinematics.evaluation.work.tables)
+        course = self.course
+        y = course.choices.values(course.now, course.z)
+        course.take()
+        self.touching = TouchingContacts(course.kinematics.evaluation.work.tables)
         spare, self.spare = self.spare, None
-        if spare is not None and spare.kinematics is self.kinematics:
+        if spare is not None and spare.kinematics is course.kinematics:
             self.steps = spare
-            spare.start(self.now, y, self.knots, self.covered)
+            spare.start(course.now, y, course.knots, course.covered)
         else:
-            rtol, atol = self.tolerances.rtol, self.natural_atol()
-            self.steps = Steps(self.kinematics, self.now, y, rtol, atol, self.knots, self.covered)
-        self.steps.struct.account = self.account.struct
+            rtol, atol = course.tolerances.rtol, course.natural_atol()
+            self.steps = Steps(course.kinematics, course.now, y, rtol, atol, course.knots, course.covered)
+        self.steps.struct.account = course.account.struct
         self.renew()
-        if not self._h:
-            self._h = self.tolerances.first_step or self._first_step()
+        if not self.h:
+            self.h = course.tolerances.first_step or self._first_step()
+
+    def reuse(self, other: StepMethod) -> None:
+        """Use the arrays of another motion by this method, if the degrees of freedom are the same."""
+        if isinstance(other, Dop853):
+            self.spare = other.steps
 
     @property
     def placed(self) -> CoordinateWork:
@@ -86,101 +106,137 @@ class Dop853(MinimalRun):
         return self.steps.choice
 
     def restart_with(self, h: float) -> None:
-        """Restart with a step [s] to try first."""
-        self._h, self._flat = h, -np.inf
+        """Restart beyond a flat position with a step [s] to try first."""
+        self.h, self.flat = h, -np.inf
         self.restart()
 
     def renew(self) -> None:
         """Compute the rates with the changed loads."""
-        self.steps.begin(self.t)
-        self.counts["evaluations"] += 1
+        self.steps.begin(self.course.t)
+        self.course.counts["evaluations"] += 1
 
-    def jump(self, z: Array) -> None:
-        """Continue from here with other internal states and the same length of steps."""
-        self.z = z
-        self.account.part()
+    def jump(self) -> None:
+        """Continue from the present position, where internal states have jumped, with the same length of steps."""
+        z = self.course.z
         self.steps.y[self.steps.y.size - z.size :] = z
         self.renew()
 
     def _first_step(self) -> float:
         """The first step, as SciPy chooses it from the size of the rates and of their change."""
-        s, left = self.steps, self.stop - self.t
+        s, course = self.steps, self.course
+        longest, left = course.tolerances.max_step, course.stop - course.t
         y, f = s.y.copy(), s.K[0].copy()
-        scale = self.natural_atol() + np.abs(y) * self.tolerances.rtol
+        scale = course.natural_atol() + np.abs(y) * course.tolerances.rtol
         d0, d1 = _norm(y / scale), _norm(f / scale)
         h0 = min(1e-6 if d0 < 1e-5 or d1 < 1e-5 else 0.01 * d0 / d1, left)
         try:
-            change = self._rates_at(self.t + h0, y + h0 * f) - f
+            change = self._rates_at(course.t + h0, y + h0 * f) - f
         except FlexelError:
-            return min(1e-4 * left, self.tolerances.max_step)
+            return min(1e-4 * left, longest)
         d2 = _norm(change / scale) / h0
         h1 = max(1e-6, h0 * 1e-3) if d1 <= 1e-15 and d2 <= 1e-15 else (0.01 / max(d1, d2)) ** (1 / 8)
-        return float(min(max(100 * h0, FIRST * left), h1, left, self.tolerances.max_step))
+        return float(min(max(100 * h0, FIRST * left), h1, left, longest))
 
     def _rates_at(self, t: float, y: Array) -> Array:
-        choice = self.kinematics.given(self.knots.inside(t))
-        ahead = self.now.x + (t - self.t) * self.now.v
-        self.counts["evaluations"] += 1
-        self.kinematics.check(choice.evaluate(t, y, ahead, self.now.turns(t)), t)
+        course, kinematics = self.course, self.course.kinematics
+        choice, now = kinematics.given(course.knots.inside(t)), course.now
+        ahead = now.x + (t - now.t) * now.v
+        course.counts["evaluations"] += 1
+        kinematics.check(choice.evaluate(t, y, ahead, now.turns(t)), t)
         return choice.dy.copy()
 
-    def advance(self) -> str | None:
-        """Take one accepted step."""
-        end, rejected, careful, defect = self.latest, False, False, np.inf
-        first_order, trials = self.steps.first_order, TRIALS
-        wished = self._h
-        while True:
-            s, c = self.steps, self.steps.struct
-            shortest = max(SHORTEST * self._span, 10 * abs(np.nextafter(self.t, np.inf) - self.t))
-            if self._h < shortest and self._h < end - self.t:
-                return self.carry_or_stop(self._stopped())
-            t1 = min(self.t + crossing_step(self._flat - self.t, min(self._h, self.tolerances.max_step)), end)
-            h = self._tried = t1 - self.t
-            before = c.evaluations
-            code = s.step(self.t, h, careful)
-            self.counts["evaluations"] += c.evaluations - before
-            error, longer = self._error() if not code else np.inf, defect
-            if error < 1:
-                trusted = self._trusted()
-                exact = trusted and self._exact(defect)
-                if exact and not (c.changed and (self._rough() or self._poor())):
-                    trials -= 1
-                    last = s.end(t1)
-                    until = self.touching.until(self.now, last) if trials > 0 else 0.0
-                    if until <= shortest:
-                        break
-                    self._h = until
-                    self.counts["rejected"] += 1
-                    continue
-                if trusted and not exact:
-                    defect = float(c.defect_v)
-                error = np.inf
-            self._failed = code
-            self.counts["rejected"] += 1
-            if first_order:  # a failed trial must not leave another order of pivots behind
-                self.steps.use_first_order()
-            if not np.isfinite(error) and self.consider_refused():
-                self._flat = -np.inf
-                self.restart()
-            elif not careful and not code and (rejected or self._suspicious()):
-                careful, defect = True, longer  # the same length again
-                continue
-            if careful and not code and self._finds(h):
-                if steps := self.across(self._flat):
-                    return self.carry(steps)
-            else:
-                self._h = h * (max(SMALLEST, SAFETY * error**EXPONENT) if np.isfinite(error) else SHORTER)
-            rejected = True
-        factor = min(LARGEST, SAFETY * error**EXPONENT) if error > 0 else LARGEST
-        self._h = h * (min(1.0, factor) if rejected else factor)
-        if t1 == end and not rejected:
-            self._h = max(self._h, wished)  # it was cut short
-        ended = self._accepted(last)
-        if trials < TRIALS - 1:  # the step was cut: a contact begins or ends here
-            self._looks.forget()
-        return ended
+    def aim(self, end: float) -> None:
+        """Prepare a step that ends at a time [s] at the latest."""
+        self._end, self._wished, self._left = end, self.h, TRIALS
+        self._shortest = self.course.shortest
+        self._rejected, self._careful, self._defect = False, False, np.inf
+        self._first_order = self.steps.first_order
 
-    def _error(self) -> float:
+    def attempt(self) -> Attempted:
+        """Try the step that is prepared."""
+        course, t = self.course, self.course.t
+        if self.h < self._shortest and self.h < self._end - t:
+            return Attempted.SHORT
+        ahead = crossing_step(self.flat - t, min(self.h, course.tolerances.max_step))
+        self._to = min(t + ahead, self._end)
+        c = self.steps.struct
+        before = c.evaluations
+        self._code = self.steps.step(t, self._to - t, self._careful)
+        course.counts["evaluations"] += c.evaluations - before
+        self._error, self._found = self._largest_error() if not self._code else np.inf, self._defect
+        if self._error < 1:
+            trusted = self._trusted()
+            exact = trusted and self._exact(self._defect)
+            if exact and not (c.changed and (self._rough() or course.poor())):
+                return self._until_contact()
+            if trusted and not exact:
+                self._found = float(c.defect_v)
+            self._error = np.inf
+        course.counts["rejected"] += 1
+        return self.refuse(False) if np.isfinite(self._error) else Attempted.UNUSABLE
+
+    def _until_contact(self) -> Attempted:
+        """Accept the trial, or prepare one up to where a contact begins or ends."""
+        course = self.course
+        self._left -= 1
+        self._last = self.steps.end(self._to)
+        until = self.touching.until(course.now, self._last) if self._left > 0 else 0.0
+        if until <= self._shortest:
+            return Attempted.FOUND
+        self.h = until
+        course.counts["rejected"] += 1
+        return Attempted.AGAIN
+
+    def refuse(self, changed: bool) -> Attempted:
+        """Prepare a shorter step, or first one of the same length that shows why it was of no use."""
+        h = self._to - self.course.t
+        longer, self._defect = self._defect, self._found
+        if self._first_order:  # a failed trial must not leave another order of pivots behind
+            self.steps.use_first_order()
+        if changed:
+            self.flat = -np.inf
+            self.restart()
+        elif not self._careful and not self._code and (self._rejected or self._suspicious()):
+            self._careful, self._defect = True, longer
+            return Attempted.AGAIN
+        shows = self._careful and not self._code and self._shows_flat(h)
+        if not shows:
+            finite = np.isfinite(self._error)
+            self.h = h * (max(SMALLEST, SAFETY * self._error**EXPONENT) if finite else SHORTER)
+        self._rejected = True
+        return Attempted.FLAT if shows else Attempted.AGAIN
+
+    def accept(self) -> Found:
+        """Continue from the end of the step that was found."""
+        course, s, first, last = self.course, self.steps, self.course.now, self._last
+        self._lengthen(last.t - first.t)
+        if s.struct.changed:
+            course.counts["bifurcations"] += 1
+            s.struct.sign = -s.struct.sign
+        allowed = self.allowed_inside(
+            s.scale, s.w_scale, s.y, s.y_new, course.covered.ranges(s.y_new), course.covered.part
+        )
+        z = s.y_new[s.y_new.size - course.z.size :].copy()
+        exactness = float(s.struct.rtol), float(s.choice.struct.accept)
+        begun = s.y.copy(), s.K[0].copy(), s.w.copy(), s.w_rates[0].copy()
+        dense = Interpolant(
+            course.kinematics, first, last, *begun, z, allowed, course.knots.interval, *exactness
+        )
+        stored = course.until < last.t
+        if course.dense_at_once or stored:
+            dense.take(s, stored)
+        s.accept()
+        return Found(dense, z, self._left < TRIALS - 1)
+
+    def _lengthen(self, h: float) -> None:
+        """Wish for the length of the next step, after one of length h [s]."""
+        error = self._error
+        factor = min(LARGEST, SAFETY * error**EXPONENT) if error > 0 else LARGEST
+        self.h = h * (min(1.0, factor) if self._rejected else factor)
+        if self._to == self._end and not self._rejected:
+            self.h = max(self.h, self._wished)  # it was cut short
+
+    def _largest_error(self) -> float:
         """The largest of the errors of a step, relative to what is allowed."""
         c = self.steps.struct
         found = max(c.error, c.error_own, c.error_x / PREDICTED, c.error_turns / TURNS)
@@ -198,23 +254,20 @@ class Dop853(MinimalRun):
 
     def _allowed(self) -> float:
         """Error of the rates within the tolerance."""
-        return float(self.largest_atol + self.tolerances.rtol * self.steps.struct.fastest)
+        given = self.course.tolerances
+        return float(given.largest_atol + given.rtol * self.steps.struct.fastest)
 
-    def _finds(self, h: float) -> bool:
+    def _shows_flat(self, h: float) -> bool:
         """Whether a refused step of this length [s] shows a flat position that was not known."""
-        known, share = self._flat > self.t, flat_position(self.steps.determinant)
-        self._flat = -np.inf if share is None else float(self.t + share * h)
+        t = self.course.t
+        known, share = self.flat > t, flat_position(self.steps.determinant)
+        self.flat = -np.inf if share is None else float(t + share * h)
         return share is not None and not known
-
-    def _poor(self) -> bool:
-        """Whether other degrees of freedom are so much better that they may explain a change of sign."""
-        self.amplification = self.choices.amplification(self.now)
-        return self.choices.poor(self.now, self.amplification)
 
     def _trusted(self) -> bool:
         """Whether the solved coordinates are where they were predicted, within what is expected."""
-        c, given = self.steps.struct, self.tolerances
-        expected = c.error_x + self.amplification * (self.largest_atol + given.rtol)
+        c, given = self.steps.struct, self.course.tolerances
+        expected = c.error_x + self.course.amplification * (given.largest_atol + given.rtol)
         return bool(c.defect <= FARTHEST * max(expected, FLOOR))
 
     def _exact(self, longer: float) -> bool:
@@ -224,7 +277,7 @@ class Dop853(MinimalRun):
         defect too, within the tolerance that the coordinates enlarge, or each would have to be shorter than the last.
         """
         c, allowed = self.steps.struct, self._allowed()
-        enlarged = max(self.amplification, 1.0)  # zero where every motion is prescribed
+        enlarged = max(self.course.amplification, 1.0)  # zero where every motion is prescribed
         if c.defect_v > min(c.error_v, PREDICTED * c.fastest) + enlarged * allowed:
             return False  # without an impulse rates do not jump
         expected = TRUE * (c.error_v + allowed) + min(self._noise, enlarged * allowed)
@@ -234,30 +287,6 @@ class Dop853(MinimalRun):
             self._noise = max(self._noise, NOISE * c.defect_v)
         return stays
 
-    def consider_refused(self) -> bool:
-        """Change to better degrees of freedom at the start of a refused step."""
-        self.amplification = self.choices.amplification(self.now)
-        return self.consider(REFUSED)
-
-    def _accepted(self, last: Snapshot) -> str | None:
-        s, first = self.steps, self.now
-        if s.struct.changed:
-            self.counts["bifurcations"] += 1
-            s.struct.sign = -s.struct.sign
-        self.amplification = s.choice.amplification()
-        allowed = self.allowed_inside(
-            s.scale, s.w_scale, s.y, s.y_new, self.covered.ranges(s.y_new), self.covered.part
-        )
-        z = s.y_new[s.y_new.size - self.z.size :].copy()
-        exactness = float(s.struct.rtol), float(s.choice.struct.accept)
-        begun = s.y.copy(), s.K[0].copy(), s.w.copy(), s.w_rates[0].copy()
-        dense = Interpolant(self.kinematics, first, last, *begun, z, allowed, self.knots.interval, *exactness)
-        stored = self.until < last.t
-        if self.events or stored:
-            dense.take(s, stored)
-        s.accept()
-        return self.end_step(first.t, dense, first, z, last)
-
     def allowed_inside(
         self, scale: Array, w_scale: Array, y0: Array, y1: Array, ranges: Array, part: float
     ) -> Array:
@@ -266,10 +295,10 @@ class Dop853(MinimalRun):
         Rates that hardly change are as exact relative to their range, as all that is stored: at its end a step is more
         exact than it has to be. An error that only rounding explains is not more of an interpolation.
         """
-        allowed, roles = scale.copy(), self.kinematics.roles
-        if self.tolerances.relative:
+        allowed, given, roles = scale.copy(), self.course.tolerances, self.course.kinematics.roles
+        if given.relative:
             rates = slice(roles.nq, roles.nq + roles.nd)
-            rtol, size = part * self.tolerances.rtol, np.maximum(np.abs(y0), np.abs(y1))[rates]
+            rtol, size = part * given.rtol, np.maximum(np.abs(y0), np.abs(y1))[rates]
             rounded = (allowed[rates] - rtol * size) / UNRELIABLE
             allowed[rates] = rounded + rtol * np.minimum(size, ranges[rates])
         return self.steps.rotations.allowed(allowed, w_scale) / part
@@ -279,51 +308,27 @@ class Dop853(MinimalRun):
     @property
     def usual(self) -> bool:
         """Whether the usual rules have applied to all earlier steps."""
-        return not self._noise and self._flat <= self.t
+        return not self._noise and self.flat <= self.course.t
 
-    @property
-    def next_step(self) -> float:
-        """Length of the next step [s]."""
-        return self._h
-
-    def pass_step(self, first: Snapshot, last: Snapshot, dense: Interpolant) -> None:
-        """Store the states at the times within an accepted step."""
-        self.accept(Step(first.t, last.t, self.kinematics, self._shown, first, last, dense), dense.z1)
-
-    def go_on_alone(self, now: Snapshot, h: float, amplification: float) -> None:
-        """Continue from the start of a step, whose variables and rates are in `steps`."""
-        self.now, self.z, self._h, self.amplification = (
-            now,
-            self.steps.y[self.steps.y.size - self.z.size :].copy(),
-            h,
-            amplification,
-        )
-        self.account.note(now.t)
-
-    def count(self, taken: int, refused: int) -> None:
-        """Count steps that were taken and refused."""
-        self.counts["steps"] += taken
-        self.counts["rejected"] += refused
-        self.counts["evaluations"] += lib.FLEXEL_STAGES * (taken + refused)
-
-    def _stopped(self) -> FlexelError:
-        """The error of steps that have become too short."""
-        if self._failed:
-            return self.kinematics.failure(self._failed, self.t, self.steps.choice)
-        c, s, jumped = self.steps.struct, self.system.structure, ""
+    def stopped(self) -> FlexelError:
+        """Return the error of steps that have become too short."""
+        course, kinematics = self.course, self.course.kinematics
+        if self._code:
+            return kinematics.failure(self._code, course.t, self.steps.choice)
+        c, s, jumped = self.steps.struct, kinematics.structure, ""
         if not self._trusted():
             jumped = f"'{s.names[s.m + s.k + c.farthest]}' jumps by {c.defect:.2g} of its natural scale{self._cut()}; "
         return DynamicsError(
-            f"the steps have become too short at t = {self.t:g} s (amplification {self.amplification:.2g}, "
-            f"with the best choice {self.choices.best:.2g}): {self.trouble(jumped)}"
+            f"the steps have become too short at t = {course.t:g} s (amplification {course.amplification:.2g}, "
+            f"with the best choice {course.choices.best:.2g}): {course.trouble(jumped)}"
         )
 
     def _cut(self) -> str:
         """The rigid deformation that jumps, if one does: it is far from zero where the coordinates lead smoothly."""
-        s, kinematics = self.steps, self.kinematics
+        s, kinematics = self.steps, self.course.kinematics
         nf, rigid, x = kinematics.structure.nf, kinematics.roles.rigid, s.x.copy()
-        x[:nf] += self._tried * (B @ s.V[:12])
-        e = kinematics.evaluation.position(x, self.now.e)[0]
+        x[:nf] += (self._to - self.course.t) * (B @ s.V[:12])
+        e = kinematics.evaluation.position(x, self.course.now.e)[0]
         off = np.abs(kinematics.values(e, x)[rigid]) / kinematics.scales(rigid)
         if not off.size or off.max() < FLOOR:
             return ""

@@ -53,12 +53,8 @@ class Run(ABC):
         Time [s] of the last of them, or at which controllers were sampled.
     passed : Passages
         Contacts that were passed within steps.
-    method : str
-        Its name; empty if nothing is integrated.
     events : sequence of Event
     """
-
-    method: str
 
     def __init__(self, system: CoreSystem, start: State, times: Array, events: Sequence[Event]) -> None:
         self.times, self.events = times, events
@@ -73,6 +69,11 @@ class Run(ABC):
         self.smooth_since = float(times[0])
         self._watchdog = Watchdog(start.structure)
         self.passed = Passages(system.evaluation)
+
+    @property
+    @abstractmethod
+    def name(self) -> str:
+        """Name of the method; empty if nothing is integrated."""
 
     @property
     @abstractmethod
@@ -258,7 +259,7 @@ class Run(ABC):
     def describe_imbalance(self, balance: Imbalance) -> str:
         """Describe the error where the energy balance fails."""
         return (
-            f"the energy balance of {self.method} fails by {balance.missing:.2g} J of {balance.moved:.3g} J, most at "
+            f"the energy balance of {self.name} fails by {balance.missing:.2g} J of {balance.moved:.3g} J, most at "
             f"t = {balance.when:.6g} s, {balance.missing / balance.allowed:.2g} times what its tolerance explains; "
             "give a smaller rtol and atol, or a max_step, and check what acts there"
         )

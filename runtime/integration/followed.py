@@ -51,7 +51,7 @@ class HeldStates(Variables):
 class Followed(DenseRun):
     """One run of a fully prescribed motion; steps are halved until the position is found."""
 
-    method = ""
+    name = ""
 
     def __init__(self, system: CoreSystem, start: State, times: Array, events: Sequence[Event]) -> None:
         super().__init__(system, start, times, events)

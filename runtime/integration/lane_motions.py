@@ -28,15 +28,21 @@ from flexel.integration.dense import Interpolant
 from flexel.integration.dop853_stages import TABLEAU
 from flexel.integration.dop853_steps import accepted_error
 from flexel.integration.driver import Run
-from flexel.integration.minimal import SHORTEST, SINGULAR
+from flexel.integration.minimal import SHORTEST, SINGULAR, MinimalRun
 from flexel.model.snapshot import Snapshot
 
 STAGES = ("K", "V", "W", "turning", "w_rates")  # rates at the stages; the first row belongs to the start
 
 
-def suits(run: Run) -> TypeGuard[rules.Dop853]:
+def steps_of(run: MinimalRun) -> rules.Dop853:
+    """Return the steps of a motion by DOP853."""
+    assert isinstance(run.method, rules.Dop853)
+    return run.method
+
+
+def suits(run: Run) -> TypeGuard[MinimalRun]:
     """Whether a motion that has begun can go on in a lane."""
-    if not isinstance(run, rules.Dop853) or run.t >= run.times[-1]:
+    if not isinstance(run, MinimalRun) or not isinstance(run.method, rules.Dop853) or run.t >= run.times[-1]:
         return False
     kinematics = run.kinematics
     roles, n = kinematics.roles, kinematics.structure.nf
@@ -47,9 +53,9 @@ def suits(run: Run) -> TypeGuard[rules.Dop853]:
         or not kinematics.loads.constant
         or kinematics.lists.saddle
         or roles.nq - roles.nd > lib.FLEXEL_MOST_KINEMATIC
-        or not run.steps.first_order
+        or not run.method.steps.first_order
         or run.choices.changes
-        or not run.usual
+        or not run.method.usual
         or run.now.v[n:].any()
     )
 
@@ -59,13 +65,14 @@ class LaneMotions:
 
     Parameters
     ----------
-    run : Dop853
+    run : MinimalRun
         One of the motions.
     """
 
-    def __init__(self, run: rules.Dop853) -> None:
-        kinematics, given, s = run.kinematics, run.tolerances, run.steps
-        self._runs: dict[int, rules.Dop853] = {}
+    def __init__(self, run: MinimalRun) -> None:
+        kinematics, given, own = run.kinematics, run.tolerances, steps_of(run)
+        s = own.steps
+        self._runs: dict[int, MinimalRun] = {}
         work = LaneWorkspace(kinematics.evaluation.work)
         choice = LaneCoordinateWork(kinematics.lists, s.choice)
         choice.struct.accept = accepted_error(kinematics, given.rtol)
@@ -92,16 +99,18 @@ class LaneMotions:
                 "floor": rules.FLOOR,
                 "exact": rules.TRUE,
                 "unamplified": rules.UNAMPLIFIED,
-                "atol": run.largest_atol,
+                "atol": given.largest_atol,
                 "dip": float(lib.FLEXEL_DIP),
             },
-            run.touching.rows.tolist(),
+            own.touching.rows.tolist(),
         )
         self._roles = kinematics.roles
 
-    def enter(self, lane: int, run: rules.Dop853) -> None:
+    def enter(self, lane: int, run: MinimalRun) -> None:
         """Put a motion that has begun into a lane."""
-        l, s, choice = self._lanes, run.steps, run.steps.choice
+        l, method = self._lanes, steps_of(run)
+        s, touching = method.steps, method.touching
+        choice = s.choice
         l.work.load(lane, choice.work)
         steps, now = l.steps, run.now
         for wide, own in (
@@ -112,9 +121,9 @@ class LaneMotions:
             (l.v, now.v),
             (l.e, now.e),
             (l.w, now.ed),
-            (l.value, run.touching.value),
-            (l.rate, run.touching.rate),
-            (l.rest, run.touching.rest),
+            (l.value, touching.value),
+            (l.rate, touching.rate),
+            (l.rest, touching.rest),
         ):
             wide[:, lane] = own
         for name in STAGES:
@@ -124,7 +133,7 @@ class LaneMotions:
         l.choice.loads[:, lane] = run.kinematics.loads.values(run.t)
         l.t[lane], l.h[lane], l.until[lane], l.amplification[lane] = (
             run.t,
-            run.next_step,
+            method.h,
             run.until,
             run.amplification,
         )
@@ -167,11 +176,11 @@ class LaneMotions:
         self._lanes.doing[lane] = IDLE
         self._lanes.take_account(lane, None)
 
-    def takes(self, run: Run) -> TypeGuard[rules.Dop853]:
+    def takes(self, run: Run) -> TypeGuard[MinimalRun]:
         """Whether a motion that has begun can go on in these lanes."""
         return suits(run) and run.kinematics.roles is self._roles
 
-    def _pass(self, lane: int, run: rules.Dop853) -> None:
+    def _pass(self, lane: int, run: MinimalRun) -> None:
         """Store the states at the times within a step."""
         l, steps = self._lanes, self._lanes.steps
         first, x, e = self._start(lane), steps.x_new[:, lane].copy(), l.work.e[:, lane].copy()
@@ -180,14 +189,14 @@ class LaneMotions:
         y0, y1, w0 = (array[:, lane].copy() for array in (steps.y, steps.y_new, steps.w))
         rates0, w_rates0 = (array[0, :, lane].copy() for array in (steps.K, steps.w_rates))
         scales = steps.scale[:, lane], steps.w_scale[:, lane]
-        allowed = run.allowed_inside(
+        allowed = steps_of(run).allowed_inside(
             *scales, y0, y1, self._covered.ranges(lane, y1), self._covered.part(lane)
         )
         accept = self._covered.accepted_error(lane, float(l.choice.struct.accept))
         exactness = float(run.tolerances.rtol), accept
         z1 = y1[y1.size - run.z.size :].copy()
         of = y0, rates0, w0, w_rates0, z1, allowed, run.knots.interval, *exactness
-        run.pass_step(first, last, Interpolant(run.kinematics, first, last, *of))
+        run.pass_step(first, last, Interpolant(run.kinematics, first, last, *of), z1)
 
     def _start(self, lane: int) -> Snapshot:
         """Return the start of the step of a lane."""
@@ -195,27 +204,30 @@ class LaneMotions:
         x, v, e, ed = (values[:, lane].copy() for values in (l.steps.x, l.v, l.e, l.w))
         return Snapshot(float(l.t[lane]), x, v, e, ed)
 
-    def _leave(self, lane: int, run: rules.Dop853) -> None:
+    def _leave(self, lane: int, run: MinimalRun) -> None:
         """Hand a motion back, at its end or at the start of a step that it takes outside the lanes."""
-        l, steps = self._lanes, self._lanes.steps
+        l, steps, method = self._lanes, self._lanes.steps, steps_of(run)
+        own = method.steps
         ended = bool(l.doing[lane] == PASSED)
         taken, refused = int(l.taken[lane]) + ended, int(l.refused[lane]) + ended * int(l.tries[lane])
         if not ended:
             pairs = [
-                (steps.y, run.steps.y),
-                (steps.x, run.steps.x),
-                (steps.e, run.steps.e),
-                (steps.w, run.steps.w),
+                (steps.y, own.y),
+                (steps.x, own.x),
+                (steps.e, own.e),
+                (steps.w, own.w),
             ]
-            pairs += [(getattr(steps, name)[0], getattr(run.steps, name)[0]) for name in STAGES]
+            pairs += [(getattr(steps, name)[0], getattr(own, name)[0]) for name in STAGES]
             pairs += [(wide, run.covered.arrays[name]) for name, wide in self._covered.arrays.items()]
-            for wide, own in pairs:
-                own[:] = wide[..., lane]
-            run.go_on_alone(self._start(lane), float(l.first[lane]), float(l.amplification[lane]))
+            for wide, single in pairs:
+                single[:] = wide[..., lane]
+            method.h = float(l.first[lane])
+            z = own.y[own.y.size - run.z.size :].copy()
+            run.go_on_alone(self._start(lane), z, float(l.amplification[lane]))
             sizes = float(l.size[lane]), float(l.fall[lane])
-            run.dips.take(run.kinematics, run.t, int(run.steps.struct.sign), *sizes)
+            run.dips.take(run.kinematics, run.t, int(own.struct.sign), *sizes)
         else:
             run.account.accept(float(l.to[lane] - l.t[lane]))
-        run.count(taken, refused)
+        run.count(taken, refused, lib.FLEXEL_STAGES * (taken + refused))
         self.drop(lane)
         del self._runs[lane]

@@ -17,9 +17,10 @@ from flexel.integration.driver import Run
 from flexel.integration.events import Event
 from flexel.integration.excitation import followed
 from flexel.integration.followed import Followed
-from flexel.integration.minimal import MINOR, Tolerances
+from flexel.integration.minimal import MinimalRun
 from flexel.integration.radau import Radau
 from flexel.integration.radau_saddle import sparse
+from flexel.integration.step_method import MINOR, Tolerances
 from flexel.integration.steps import Control, GeneralizedAlpha
 from flexel.integration.stiffness import ALPHA, EXPLICIT, RADAU, Suitable, few, smooth, stiff, suitable
 from flexel.integration.trial import explicit_evaluations, implicit_evaluations
@@ -184,7 +185,9 @@ def _cheapest(
 ) -> tuple[float, Options | None]:
     """Return the evaluations of DOP853, and the options with which Radau takes fewer; None if it takes as many."""
     times = np.array([start.t, start.t + duration])
-    explicit = explicit_evaluations(Dop853(system, start, times, _tolerances(system, options), (), True))
+    explicit = explicit_evaluations(
+        MinimalRun(system, start, times, _tolerances(system, options), (), True, Dop853)
+    )
     must = 0.0 if found.is_large else followed(system, start, found.matrix, duration)
     more = SPARSE if sparse(system.kinematics) else system.roles.nd / LINEAR
     for some, factor in _ways(options, is_stiff):
@@ -192,7 +195,7 @@ def _cheapest(
         least = must * PER_RADIAN * (IMPLICIT_RTOL / tolerances.rtol) ** (1 / ORDER)
         if least * factor >= explicit:
             continue
-        run = Radau(system, start, times, tolerances, (), True)
+        run = MinimalRun(system, start, times, tolerances, (), True, Radau)
         budget = min(TRIAL * explicit, MOST)
         if implicit_evaluations(run, more, budget, explicit / factor) * factor < explicit:
             return explicit, some
@@ -203,9 +206,8 @@ def _soon(system: CoreSystem, start: State, duration: float) -> State:
     """Return a state a few steps after the start; the start itself if there is none."""
     if callbacks_of(start.structure.laws):
         return start  # what it keeps would be that of a motion that is thrown away
-    run = Dop853(
-        system, start, np.array([start.t, start.t + duration]), _tolerances(system, Options()), (), True
-    )
+    times = np.array([start.t, start.t + duration])
+    run = MinimalRun(system, start, times, _tolerances(system, Options()), (), True, Dop853)
     try:
         run.begin()
         while run.statistics["steps"] < SOON and run.t < start.t + duration:
@@ -244,7 +246,7 @@ def run_of(
         return Followed(system, start, times, events)
     kind = Dop853 if method == EXPLICIT else Radau
     rechoose = options.rechoose is not False
-    return kind(system, _in_own_roles(system, start), times, tolerances, events, rechoose)
+    return MinimalRun(system, _in_own_roles(system, start), times, tolerances, events, rechoose, kind)
 
 
 def _tolerances(system: CoreSystem, options: Options) -> Tolerances:

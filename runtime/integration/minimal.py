@@ -1,4 +1,4 @@
-"""Forward dynamics in minimal coordinates: what DOP853 and Radau share.
+"""Forward dynamics in minimal coordinates: the loop of trials and accepted steps, by any method of step_method.py.
 
 Every accepted step is checked for the branch that it is on, and its end for the degrees of freedom: where others are
 much better, the motion continues in them from the same x and v.
@@ -7,20 +7,18 @@ much better, the motion continues in them from the same x and v.
 from __future__ import annotations
 
 import logging
-from abc import abstractmethod
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
+from math import ulp
 from typing import Any
 
 import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError, FlexelError
-from flexel.engine.coordinate_work import CoordinateWork
-from flexel.engine.covered import Covered
-from flexel.integration.account import Account, Quadrature
+from flexel.integration.account import Account
 from flexel.integration.across import Crossing
-from flexel.integration.branch import WORSE, Choices
+from flexel.integration.branch import REFUSED, WORSE, Choices
 from flexel.integration.carried import Carried
 from flexel.integration.dips import Dips
 from flexel.integration.driver import DenseRun
@@ -28,13 +26,13 @@ from flexel.integration.events import Event
 from flexel.integration.imbalance import AT_REST, ROUNDING, STEPS, Imbalance, explained
 from flexel.integration.outcome import Integration
 from flexel.integration.segments import DenseOutput, Pending, Step
+from flexel.integration.step_method import Attempted, StepMethod, Tolerances, natural_scales_of_y
 from flexel.mechanics.amplification import amplification, lost
 from flexel.mechanics.impulse import struck
 from flexel.mechanics.kinematics import Kinematics
 from flexel.mechanics.timed_laws import timed_law
 from flexel.model.snapshot import Snapshot
 from flexel.model.state import State
-from flexel.model.structure import Structure
 
 log = logging.getLogger("flexel.simulate")
 SHORTEST = 1e-11  # step, relative to the times, below which the integration stops
@@ -44,37 +42,9 @@ STILL, LOOKS = (
     20,
 )  # rates, in natural scales, that are rounding errors, and states that are looked at for them
 LONGEST_PAUSE = 1024  # steps without another trial to cross a flat position
-MINOR = 1e-4  # of the largest degrees of freedom and rates: what is smaller does not determine steps
 PROMISED = 10.0  # tolerances that rounding errors of coordinates may have without a warning
 FAR = 10.0  # distance from the origin, in natural scales, to which rounding errors are attributed
 SINGULAR = 1e6  # amplification of the best choice above which the position is singular
-RESOLUTION = 5e-16  # error of coordinates, relative to their size or natural scale, that shortens no step
-
-
-@dataclass(frozen=True)
-class Tolerances:
-    """Accuracy and steps of an integration in minimal coordinates.
-
-    Attributes
-    ----------
-    rtol : float
-        Local error relative to y = (q, q_d', z).
-    atol : float or ndarray (ny,)
-        Local error in the natural scales of y.
-    relative : bool
-        Whether both are relative to the size of the motion, where that is less than the machine's.
-    first_step, max_step : float
-        Steps [s]; by default the integrator chooses the first.
-    minor : float
-        Of Radau: degrees of freedom and rates, relative to the largest ones in natural scales, that count as zero.
-    """
-
-    rtol: float
-    atol: float | Array
-    first_step: float | None = None
-    max_step: float = np.inf
-    relative: bool = False
-    minor: float = MINOR
 
 
 class MinimalRun(DenseRun):
@@ -90,9 +60,13 @@ class MinimalRun(DenseRun):
     events : sequence of Event
     rechoose : bool
         Change the degrees of freedom where others are much better.
-    """
+    kind : type of StepMethod
+        What takes its steps.
 
-    quadrature: Quadrature
+    Attributes
+    ----------
+    method : StepMethod
+    """
 
     def __init__(
         self,
@@ -102,10 +76,10 @@ class MinimalRun(DenseRun):
         tolerances: Tolerances,
         events: Sequence[Event],
         rechoose: bool,
+        kind: type[StepMethod],
     ) -> None:
         super().__init__(system, start, times, events)
         self.tolerances = tolerances
-        self.largest_atol = float(np.max(tolerances.atol))
         self.choices = Choices(system, system.kinematics_of(start.roles), rechoose)
         self.counts = {
             "steps": 0,
@@ -116,20 +90,26 @@ class MinimalRun(DenseRun):
             "carried": 0,
         }
         self.amplification = 1.0
-        self.account = Account(self.quadrature)
+        self.account = Account(kind.quadrature)
         self.dips = Dips()
         self._pause, self._next_crossing = 1, 0  # steps
-        self.covered = self._scale()
-
-    def _scale(self) -> Covered:
-        """What the motion covers: the scale of its tolerances."""
-        given = self.tolerances
-        return Covered(*self._sizes, given.rtol, self.largest_atol, RESOLUTION, given.relative)
+        self.covered = kind.scale(system.structure, self.kinematics.lists.step_weight, tolerances)
+        self.method: StepMethod = kind(self)
 
     @property
-    def _sizes(self) -> tuple[Structure, Array]:
-        """The structure, and one over natural scales of its free coordinates."""
-        return self.system.structure, self.kinematics.lists.step_weight
+    def name(self) -> str:
+        """Name of the method."""
+        return self.method.name
+
+    @property
+    def dense_at_once(self) -> bool:
+        """Whether states within a step are asked for before the next one is taken: events are looked for."""
+        return bool(self.events)
+
+    @property
+    def shortest(self) -> float:
+        """Length [s] below which a step is too short."""
+        return max(SHORTEST * self._span, 10 * ulp(self.t))
 
     @property
     def statistics(self) -> dict[str, int]:
@@ -154,37 +134,66 @@ class MinimalRun(DenseRun):
             self.now = struck(self._shown, self.now, self.knots.inside(self.t))
         self.amplification = self.choices.amplification(self.now)
         self.consider(WORSE)
-        self.restart()
+        self.method.restart()
         self.account.note(self.t)
-
-    @abstractmethod
-    def restart(self) -> None:
-        """Restart from the present position in the present degrees of freedom."""
-
-    @property
-    @abstractmethod
-    def placed(self) -> CoordinateWork:
-        """The arrays that hold the position at the end of the step that was found last."""
-
-    @abstractmethod
-    def restart_with(self, h: float) -> None:
-        """Restart with a step [s] to try first."""
 
     def renew(self) -> None:
         """Compute the rates with the changed loads."""
-        self.restart()
+        self.method.renew()
 
     def strike(self) -> None:
         """Continue from here with the rates just after an impulse."""
         super().strike()
         self.account.part()
-        self.restart()
+        self.method.restart()
 
     def jump(self, z: Array) -> None:
         """Continue from here with other internal states."""
         self.z = z
         self.account.part()
-        self.restart()
+        self.method.jump()
+
+    def advance(self) -> str | None:
+        """Take one accepted step."""
+        method = self.method
+        method.aim(self.latest)
+        while (trial := method.attempt()) is not Attempted.FOUND:
+            if trial is Attempted.UNUSABLE:
+                trial = method.refuse(self._change_refused())
+            if trial is Attempted.SHORT:
+                return self.carry_or_stop(method.stopped())
+            if trial is Attempted.FLAT and (steps := self.across(method.flat)):
+                return self.carry(steps)
+        return self._accept_found()
+
+    # -- steps that are taken in a lane, see lane_motions.py -------------------------------------------
+
+    def pass_step(self, first: Snapshot, last: Snapshot, dense: DenseOutput, z: Array) -> None:
+        """Store the states at the times within an accepted step."""
+        self.accept(Step(first.t, last.t, self.kinematics, self._shown, first, last, dense), z)
+
+    def go_on_alone(self, now: Snapshot, z: Array, amplification: float) -> None:
+        """Continue from the start of a step, to which the method has come."""
+        self.now, self.z, self.amplification = now, z, amplification
+        self.account.note(now.t)
+
+    def count(self, taken: int, refused: int, evaluations: int) -> None:
+        """Count steps that were taken and refused, and their evaluations."""
+        self.counts["steps"] += taken
+        self.counts["rejected"] += refused
+        self.counts["evaluations"] += evaluations
+
+    # --------------------------------------------------------------------------------------------------
+
+    def _change_refused(self) -> bool:
+        """Change to better degrees of freedom at the start of a step that was refused; whether there are any."""
+        self.amplification = self.choices.amplification(self.now)
+        return self.consider(REFUSED)
+
+    def poor(self) -> bool:
+        """Whether other degrees of freedom are so much better that they may explain a change of sign."""
+        self.amplification = self.choices.amplification(self.now)
+        return self.choices.poor(self.now, self.amplification)
 
     def take(self) -> None:
         """Take the present instant into what the motion has covered."""
@@ -242,24 +251,28 @@ class MinimalRun(DenseRun):
             else choices.kinematics
         )
 
-    def end_step(
-        self, t0: float, dense: DenseOutput, first: Snapshot, z: Array, last: Snapshot
-    ) -> str | None:
-        """Store an accepted step, and consider other degrees of freedom at its end.
+    def _accept_found(self) -> str | None:
+        """Store the step that was found, and consider other degrees of freedom at its end.
 
         A step that has passed a flat position is replaced by those of `across`, if there are any.
         """
-        flat = self.dips.passed(self.kinematics, first, last, self.placed)
+        first, method = self.now, self.method
+        self.amplification = method.placed.amplification()
+        dense, z, cut = method.accept()
+        last = dense.last
+        flat = self.dips.passed(self.kinematics, first, last, method.placed)
         if flat is not None and (steps := self.across(flat)):
             return self.carry(steps)
         self.account.note(last.t)
-        segment = Step(t0, last.t, self.kinematics, self._shown, first, last, dense)
+        segment = Step(first.t, last.t, self.kinematics, self._shown, first, last, dense)
         self.counts["steps"] += 1
         ended = self.accept(segment, z)
         if ended is None and self.consider(WORSE):
-            self.restart()
+            method.restart()
         if self.choices.changes:
             self._shown = self.shown()
+        if cut:
+            self._looks.forget()
         return ended
 
     def across(self, flat: float) -> list[Carried]:
@@ -279,7 +292,7 @@ class MinimalRun(DenseRun):
             self.kinematics,
             self._shown,
             self.knots,
-            self.tolerances.rtol + self.largest_atol,
+            self.tolerances.rtol + self.tolerances.largest_atol,
         )
         found = crossing.steps(flat)
         self._pause = 1 if found else min(2 * self._pause, LONGEST_PAUSE)
@@ -310,7 +323,7 @@ class MinimalRun(DenseRun):
             self.counts["rechoices"] += 1
         self.amplification = self.choices.amplification(self.now)
         self.consider(WORSE)
-        self.restart_with(steps[-1].t1 - steps[-1].t0)
+        self.method.restart_with(steps[-1].t1 - steps[-1].t0)
         if self.choices.changes:
             self._shown = self.shown()
         return None
@@ -338,7 +351,7 @@ class MinimalRun(DenseRun):
         moved = max(c.fastest, c.through)
         sizes = moved + c.largest
         finest = self.covered.finest if given.relative else 0.0
-        promised = explained(max(given.rtol, self.largest_atol, finest), steps) * moved
+        promised = explained(max(given.rtol, given.largest_atol, finest), steps) * moved
         allowed = promised + c.doubt + ROUNDING * max(steps, STEPS) ** 0.5 * sizes
         moves = moved > AT_REST * sizes and self._moves
         when = float(self.times[0]) + c.when
@@ -424,9 +437,3 @@ class MinimalRun(DenseRun):
     def kept(self, message: str) -> Integration:
         """Return the results so far, with the changes of the degrees of freedom."""
         return replace(super().kept(message), rechoices=self.choices.changes)
-
-
-def natural_scales_of_y(kinematics: Kinematics) -> Array:
-    """Return natural scales of y = (q, q_d', z): those of rates are per second, those of internal states one."""
-    roles, scales = kinematics.roles, kinematics.scales
-    return np.concatenate([scales(roles.dofs), scales(roles.dynamic), np.ones(kinematics.structure.nz)])

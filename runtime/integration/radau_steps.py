@@ -25,10 +25,10 @@ from flexel.generated._kernels import ffi, lib
 from flexel.integration.followed import TRAVEL, turning_weights
 from flexel.integration.inputs import give
 from flexel.integration.knots import Knots
-from flexel.integration.minimal import MINOR, natural_scales_of_y
 from flexel.integration.radau_saddle import SaddleFactors
 from flexel.integration.radau_tableau import COLLOCATION, CORRECTION, NODES, PAIR, REAL, WEIGHTS, T
 from flexel.integration.segments import Variables
+from flexel.integration.step_method import MINOR, natural_scales_of_y
 from flexel.mechanics.kinematics import Kinematics
 from flexel.model.snapshot import Snapshot
 

@@ -14,9 +14,9 @@ from flexel.base.errors import RangeWarning
 from flexel.integration import methods
 from flexel.integration.audit import audited
 from flexel.integration.consistent import check_rates
-from flexel.integration.dop853 import Dop853
 from flexel.integration.driver import Run
 from flexel.integration.events import Event, checked
+from flexel.integration.minimal import MinimalRun
 from flexel.integration.outcome import Integration, from_start, stored_times
 from flexel.integration.ranges import outside
 from flexel.mechanics.internal_dynamics import check_stable
@@ -60,8 +60,8 @@ def begun(system: CoreSystem, duration: float, before: Run | None = None, **give
     method, why, begin, grid, options = planned(system, duration, **given)
     run = methods.run_of(system, method, begin, from_start(begin, grid), float(duration), options)
     if run.times[-1] > run.times[0]:
-        if isinstance(run, Dop853) and isinstance(before, Dop853):
-            run.spare = before.steps
+        if isinstance(run, MinimalRun) and isinstance(before, MinimalRun):
+            run.method.reuse(before.method)
         run.begin()
     return run, why
 

@@ -68,7 +68,7 @@ class GeneralizedAlpha(Run):
         Step [s] below which it cannot continue.
     """
 
-    method = "generalized-alpha"
+    name = "generalized-alpha"
 
     def __init__(
         self,
@@ -211,7 +211,7 @@ class GeneralizedAlpha(Run):
         step = (self.t - float(self.times[0])) / balance.steps
         did = "removed" if balance.missing > 0 else "added"
         return (
-            f"{self.method} has {did} {abs(balance.missing):.2g} J, {abs(balance.share):.0%} of the energy of the "
+            f"{self.name} has {did} {abs(balance.missing):.2g} J, {abs(balance.share):.0%} of the energy of the "
             f"motion (mean step {step:.2g} s); give a smaller rtol or step, or method='DOP853'"
         )
 

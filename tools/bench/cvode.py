@@ -18,7 +18,7 @@ from flexel.base.arrays import Array
 from flexel.base.errors import FlexelError
 from flexel.integration.balance import Balance, Saddle
 from flexel.integration.jacobian import jacobian
-from flexel.integration.minimal import natural_scales_of_y
+from flexel.integration.step_method import natural_scales_of_y
 from flexel.mechanics.saddle import Matrix, SaddlePattern
 from flexel.model.snapshot import Snapshot
 

@@ -1,0 +1,246 @@
+"""What a method in minimal coordinates is: it takes steps of a motion, which decides what they are for.
+
+The motion owns time, degrees of freedom and results, see minimal.py; a method owns one step.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from enum import Enum, auto
+from functools import cached_property
+from typing import ClassVar, NamedTuple, Protocol
+
+import numpy as np
+
+from flexel.base.arrays import Array
+from flexel.base.errors import FlexelError
+from flexel.engine.coordinate_work import CoordinateWork
+from flexel.engine.covered import Covered
+from flexel.integration.account import Account, Quadrature
+from flexel.integration.branch import Choices
+from flexel.integration.knots import Knots
+from flexel.integration.segments import DenseOutput
+from flexel.mechanics.kinematics import Kinematics
+from flexel.model.snapshot import Snapshot
+from flexel.model.structure import Structure
+
+MINOR = 1e-4  # of the largest degrees of freedom and rates: what is smaller does not determine steps
+RESOLUTION = 5e-16  # error of coordinates, relative to their size or natural scale, that shortens no step
+
+
+@dataclass(frozen=True)
+class Tolerances:
+    """Accuracy and steps of an integration in minimal coordinates.
+
+    Attributes
+    ----------
+    rtol : float
+        Local error relative to y = (q, q_d', z).
+    atol : float or ndarray (ny,)
+        Local error in the natural scales of y.
+    relative : bool
+        Whether both are relative to the size of the motion, where that is less than the machine's.
+    first_step, max_step : float
+        Steps [s]; by default the integrator chooses the first.
+    minor : float
+        Of Radau: degrees of freedom and rates, relative to the largest ones in natural scales, that count as zero.
+    """
+
+    rtol: float
+    atol: float | Array
+    first_step: float | None = None
+    max_step: float = np.inf
+    relative: bool = False
+    minor: float = MINOR
+
+    @cached_property
+    def largest_atol(self) -> float:
+        """The largest local error in natural scales."""
+        return float(np.max(self.atol))
+
+
+def natural_scales_of_y(kinematics: Kinematics) -> Array:
+    """Return natural scales of y = (q, q_d', z): those of rates are per second, those of internal states one."""
+    roles, scales = kinematics.roles, kinematics.scales
+    return np.concatenate([scales(roles.dofs), scales(roles.dynamic), np.ones(kinematics.structure.nz)])
+
+
+class Attempted(Enum):
+    """What became of a trial to take a step."""
+
+    FOUND = auto()  # the step can be accepted
+    AGAIN = auto()  # another is prepared
+    UNUSABLE = auto()  # it cannot be evaluated or trusted: other degrees of freedom may be better
+    FLAT = auto()  # it shows a flat position, see `StepMethod.flat`; another is prepared
+    SHORT = auto()  # it would be too short
+
+
+class Found(NamedTuple):
+    """A step that was found.
+
+    Attributes
+    ----------
+    dense : DenseOutput
+        Of the step.
+    z : ndarray (nz,)
+        Internal states at its end.
+    cut : bool
+        Whether it ends where a contact begins or ends.
+    """
+
+    dense: DenseOutput
+    z: Array
+    cut: bool = False
+
+
+class SteppedMotion(Protocol):
+    """A motion in minimal coordinates, as its method sees it.
+
+    Attributes
+    ----------
+    now : Snapshot
+        The point from which the next step begins.
+    z : ndarray (nz,)
+        Internal states there.
+    choices : Choices
+        The degrees of freedom.
+    amplification : float
+        Theirs, when last determined.
+    counts : dict of str to int
+        Steps that were refused, evaluations and bifurcations, counted by the method too.
+    """
+
+    now: Snapshot
+    z: Array
+    choices: Choices
+    amplification: float
+    knots: Knots
+    covered: Covered
+    account: Account
+    tolerances: Tolerances
+    counts: dict[str, int]
+
+    @property
+    def t(self) -> float:
+        """Current time of the motion."""
+        ...
+
+    @property
+    def kinematics(self) -> Kinematics:
+        """The present degrees of freedom."""
+        ...
+
+    @property
+    def stop(self) -> float:
+        """When the next step ends at the latest: at the end, a knot, or an instant of a sampled controller."""
+        ...
+
+    @property
+    def shortest(self) -> float:
+        """Length [s] below which a step is too short."""
+        ...
+
+    @property
+    def dense_at_once(self) -> bool:
+        """Whether states within a step are asked for before the next one is taken, whatever is stored."""
+        ...
+
+    @property
+    def until(self) -> float:
+        """The next time at which a state is stored."""
+        ...
+
+    def take(self) -> None:
+        """Take the present instant into what the motion has covered."""
+
+    def natural_atol(self) -> Array:
+        """Return the absolute tolerances of y."""
+        ...
+
+    def poor(self) -> bool:
+        """Whether other degrees of freedom are so much better that they may explain a change of sign."""
+        ...
+
+    def trouble(self, why: str) -> str:
+        """Explain what may be wrong where the integration cannot continue."""
+        ...
+
+    def noted(self, error: FlexelError) -> FlexelError:
+        """Return the error, with the time up to which the motion was computed."""
+        ...
+
+
+class StepMethod(ABC):
+    """Steps of a motion.
+
+    Parameters
+    ----------
+    course : SteppedMotion
+        The motion.
+    """
+
+    name: ClassVar[str]
+    quadrature: ClassVar[Quadrature]
+    flat = -np.inf  # time [s] of a flat position at which steps were refused
+
+    def __init__(self, course: SteppedMotion) -> None:
+        self.course = course
+
+    @classmethod
+    @abstractmethod
+    def scale(cls, structure: Structure, weight: Array, given: Tolerances) -> Covered:
+        """Return what a motion covers, as the scale of its tolerances.
+
+        Parameters
+        ----------
+        structure : Structure
+        weight : ndarray (nf,)
+            One over natural scales of the free coordinates.
+        given : Tolerances
+        """
+
+    @abstractmethod
+    def reuse(self, other: StepMethod) -> None:
+        """Use the arrays of another motion, which has ended and had the same tolerances, if that helps."""
+
+    @property
+    @abstractmethod
+    def placed(self) -> CoordinateWork:
+        """The arrays that hold the position at the end of the step that was found last."""
+
+    @abstractmethod
+    def restart(self) -> None:
+        """Restart from the present position in the present degrees of freedom."""
+
+    @abstractmethod
+    def restart_with(self, h: float) -> None:
+        """Restart beyond a flat position with a step [s] to try first."""
+
+    def renew(self) -> None:
+        """Compute the rates with the changed loads."""
+        self.restart()
+
+    def jump(self) -> None:
+        """Continue from the present position, where internal states have jumped."""
+        self.restart()
+
+    @abstractmethod
+    def aim(self, end: float) -> None:
+        """Prepare a step that ends at a time [s] at the latest."""
+
+    @abstractmethod
+    def attempt(self) -> Attempted:
+        """Try the step that is prepared; nothing is accepted yet."""
+
+    @abstractmethod
+    def refuse(self, changed: bool) -> Attempted:
+        """Prepare a shorter step after one that was of no use, perhaps in other degrees of freedom."""
+
+    @abstractmethod
+    def accept(self) -> Found:
+        """Continue from the end of the step that was found."""
+
+    @abstractmethod
+    def stopped(self) -> FlexelError:
+        """Return the error of steps that have become too short."""
