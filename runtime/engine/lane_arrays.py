@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from flexel.base.arrays import Array
+from flexel.engine.control import StepControl
 from flexel.engine.coordinate_work import TOLERANCE, CoordinateLists, CoordinateWork
 from flexel.engine.covered import Covered, ranges
 from flexel.engine.lane_workspace import LaneWorkspace
@@ -207,6 +208,7 @@ class LaneRun(LaneStruct):
         choice: LaneCoordinateWork,
         steps: LaneSteps,
         rules: Mapping[str, float],
+        control: StepControl,
         touching: Sequence[int],
     ) -> None:
         super().__init__(ffi.new("flexel_lanes *"))
@@ -223,6 +225,7 @@ class LaneRun(LaneStruct):
         )
         for name, value in rules.items():
             setattr(c, name, value)
+        control.give(c.control)
         self.doing, self.taken, self.refused, self.tries = (self._counts(name) for name in COUNTS)
         found = [self.wide(name, 1)[0] for name in NUMBERS]
         self.t, self.h, self.first, self.to, self.until, self.amplification, _, self.allowed, *rest = found

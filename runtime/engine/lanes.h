@@ -7,6 +7,7 @@
 #ifndef FLEXEL_LANES_H
 #define FLEXEL_LANES_H
 
+#include "control.h"
 #include "runge_kutta.h"
 
 /* cdef: begin */
@@ -26,7 +27,7 @@ typedef struct {
     double *v, *e, *w;
     /* rules of the step control, see dop853.py */
     double end, longest, shortest; /* times [s] */
-    double safety, smallest, largest, exponent;
+    flexel_control control;
     double predicted, turns, farthest, floor, exact, unamplified, atol, dip;
     /* of each lane: what it does, steps taken and refused, and refused since the start of the step */
     int *doing, *taken, *refused, *tries;

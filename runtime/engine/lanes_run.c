@@ -73,11 +73,11 @@ static int conclude(flexel_lanes *l, const flexel_trial *trial, size_t i)
     }
     const double h = trial->h[i];
     if (!(error < 1)) {
-        l->h[i] = h * fmax(l->smallest, l->safety * pow(error, l->exponent));
+        l->h[i] = h * flexel_shorter(&l->control, l->control.safety, error);
         l->tries[i]++;
         return 0;
     }
-    const double factor = error > 0 ? fmin(l->largest, l->safety * pow(error, l->exponent)) : l->largest;
+    const double factor = flexel_longer(&l->control, error);
     l->h[i] = h * (l->tries[i] ? fmin(1, factor) : factor);
     return 1;
 }

@@ -5,10 +5,6 @@
 #include <math.h>
 #include <string.h>
 
-enum { ORDER = 4 }; /* of the estimated error */
-
-/* Factors of the length of a step. KEPT: a factor from one up to this one is not worth other factors of the matrices. */
-static const double SAFETY = 0.9, SMALLEST = 0.2, LARGEST = 8, KEPT = 1.2, HALF = 0.5;
 static const double SLOW = 1e-3;        /* rate of convergence from which J is evaluated again */
 static const double LEAST_ERROR = 1e-2; /* of a step that the prediction of the next one uses at least */
 static const double SMALL = 1e-10;
@@ -118,7 +114,7 @@ int flexel_radau_begin(flexel_work *s, flexel_choice *c, flexel_radau *o)
 static double safety(const flexel_radau *o)
 {
     const double most = FLEXEL_RADAU_ITERATIONS;
-    return SAFETY * (2 * most + 1) / (2 * most + (double)o->iterations);
+    return o->control.safety * (2 * most + 1) / (2 * most + (double)o->iterations);
 }
 
 void flexel_radau_refuse(flexel_radau *o, double factor)
@@ -202,7 +198,7 @@ static int judge(flexel_work *s, flexel_choice *c, flexel_radau *o)
 static void shorten(flexel_radau *o)
 {
     if (o->error >= 1)
-        flexel_radau_refuse(o, fmax(SMALLEST, safety(o) * pow(o->error, -1.0 / ORDER)));
+        flexel_radau_refuse(o, flexel_shorter(&o->control, safety(o), o->error));
 }
 
 /* One trial: its error, or an infinite one; what it waits for, or the code of what failed. */
@@ -214,7 +210,7 @@ static int attempt(flexel_work *s, flexel_choice *c, flexel_radau *o)
     if (o->factorized != o->h) {
         o->factorized = 0;
         if (flexel_radau_factorize(o, o->h)) {
-            flexel_radau_refuse(o, HALF);
+            flexel_radau_refuse(o, o->control.unusable);
             return FLEXEL_DONE;
         }
         o->factorized = o->h;
@@ -229,7 +225,7 @@ static int attempt(flexel_work *s, flexel_choice *c, flexel_radau *o)
     if (!o->converged || far) {
         if (!o->fresh && !far)
             return FLEXEL_RADAU_JACOBIAN;
-        flexel_radau_refuse(o, HALF);
+        flexel_radau_refuse(o, o->control.unusable);
         o->last_error = 0;
         return FLEXEL_DONE;
     }
@@ -297,14 +293,15 @@ int flexel_radau_step(flexel_work *s, flexel_choice *c, flexel_radau *o)
 /* The next length, by predictive control (8.26). */
 static double next_length(flexel_radau *o)
 {
-    const double size = fmax(o->error, SMALL);
-    double factor = pow(size, -1.0 / ORDER);
+    const flexel_control *c = &o->control;
+    const double size = fmax(o->error, SMALL), power = -1 / c->order;
+    double factor = pow(size, power);
     if (o->last_error > 0)
-        factor *= fmin(1, o->h / o->last_h * pow(o->last_error / size, 1.0 / ORDER));
-    factor = fmin(LARGEST, fmax(SMALLEST, safety(o) * factor));
+        factor *= fmin(1, o->h / o->last_h * pow(o->last_error / size, -power));
+    factor = fmin(c->most, fmax(c->least, safety(o) * factor));
     if (o->rejected)
         factor = fmin(1, factor);
-    return factor >= 1 && factor < KEPT && !o->stale ? o->h : o->h * factor;
+    return factor >= 1 && factor < c->steady && !o->stale ? o->h : o->h * factor;
 }
 
 /* Powers of time of the dense output: the collocation polynomial, corrected so that its rates at the start are right too. */

@@ -12,6 +12,7 @@
 
 #include "account.h"
 #include "angles.h"
+#include "control.h"
 #include "covered.h"
 #include "radau_saddle.h"
 
@@ -35,7 +36,8 @@ typedef struct {
     const double *T, *inverse, *C, *b, *collocation, *correction;
     double mu, pair[2];
     flexel_getrf real_factorize, complex_factorize;
-    /* control: tolerances of the estimate of the error, and of the iteration relative to that; how much errors count more;
+    flexel_control control;
+    /* tolerances of the estimate of the error, and of the iteration relative to that; how much errors count more;
      * limits of the length, and of the change of an orientation, by the weights of coordinates (n) */
     double rtol, tolerance, enlarged, end, longest, shortest, travel;
     double minor; /* values of a degree of freedom, or rates, relative to the largest ones, that count as zero */

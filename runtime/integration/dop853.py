@@ -12,6 +12,7 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError, FlexelError
+from flexel.engine.control import StepControl
 from flexel.engine.coordinate_work import CoordinateWork
 from flexel.engine.covered import Covered
 from flexel.integration.account import of_dop853
@@ -24,8 +25,6 @@ from flexel.integration.touching import TRIALS, TouchingContacts
 from flexel.model.snapshot import Snapshot
 from flexel.model.structure import Structure
 
-SAFETY, SMALLEST, LARGEST = 0.9, 0.2, 10.0  # factors of the step control
-EXPONENT = -1 / 8
 PREDICTED = 1e-3  # error of the prediction in one step, in natural scales
 CAREFUL = 1e-6  # of the predicted coordinates and rates where the sign of the position matrix changes
 TURNS = 0.1  # of periodic deformations, in periods
@@ -36,7 +35,6 @@ UNAMPLIFIED = 1.01  # amplification up to which coordinates do not enlarge error
 NOISE = 2.0  # of one step to another
 TRUE = 0.1  # error of a step of order eight, relative to the estimates by its embedded formulas
 FIRST = 1e-9  # least first step, relative to the time left: values of y that are rounding errors ask for less
-SHORTER = 0.4  # factor of a step that is refused
 
 
 class Dop853(StepMethod):
@@ -55,6 +53,7 @@ class Dop853(StepMethod):
 
     name = "DOP853"
     quadrature = of_dop853()
+    control = StepControl(order=8, most=10.0, unusable=0.4)
     steps: Steps
     touching: TouchingContacts
     spare: Steps | None = None
@@ -201,8 +200,7 @@ class Dop853(StepMethod):
             return Attempted.AGAIN
         shows = self._careful and not self._code and self._shows_flat(h)
         if not shows:
-            finite = np.isfinite(self._error)
-            self.h = h * (max(SMALLEST, SAFETY * self._error**EXPONENT) if finite else SHORTER)
+            self.h = h * self.control.shorter(self._error)
         self._rejected = True
         return Attempted.FLAT if shows else Attempted.AGAIN
 
@@ -230,8 +228,7 @@ class Dop853(StepMethod):
 
     def _lengthen(self, h: float) -> None:
         """Wish for the length of the next step, after one of length h [s]."""
-        error = self._error
-        factor = min(LARGEST, SAFETY * error**EXPONENT) if error > 0 else LARGEST
+        factor = self.control.longer(self._error)
         self.h = h * (min(1.0, factor) if self._rejected else factor)
         if self._to == self._end and not self._rejected:
             self.h = max(self.h, self._wished)  # it was cut short

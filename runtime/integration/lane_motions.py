@@ -89,10 +89,6 @@ class LaneMotions:
                 "end": float(run.times[-1]),
                 "longest": given.max_step,
                 "shortest": SHORTEST * span,
-                "safety": rules.SAFETY,
-                "smallest": rules.SMALLEST,
-                "largest": rules.LARGEST,
-                "exponent": rules.EXPONENT,
                 "predicted": rules.PREDICTED,
                 "turns": rules.TURNS,
                 "farthest": rules.FARTHEST,
@@ -102,6 +98,7 @@ class LaneMotions:
                 "atol": given.largest_atol,
                 "dip": float(lib.FLEXEL_DIP),
             },
+            own.control,
             own.touching.rows.tolist(),
         )
         self._roles = kinematics.roles

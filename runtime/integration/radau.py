@@ -12,6 +12,7 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError, FlexelError, PositionError
+from flexel.engine.control import StepControl
 from flexel.engine.coordinate_work import CoordinateWork
 from flexel.engine.covered import Covered
 from flexel.engine.finite import TangentError
@@ -24,7 +25,6 @@ from flexel.integration.step_method import Attempted, Found, StepMethod, Toleran
 from flexel.model.structure import Structure
 
 log = logging.getLogger("flexel.simulate")
-SHORTER = 0.5  # factor of a step that cannot be evaluated or trusted
 CAREFUL = 1e-8  # distance of the end of a step from the integral of its rates, in natural scales, by the method and by
 # the trapezoidal rule, up to which the sign of the position matrix may change: the path is smooth
 
@@ -34,6 +34,9 @@ class Radau(StepMethod):
 
     name = "Radau"
     quadrature = of_radau()
+    control = StepControl(
+        order=4, most=8.0, steady=1.2
+    )  # of the error estimate; other factors of the matrices
     steps: Collocation
     _begun = False
     _saddle: SaddleFactors | None = None
@@ -79,7 +82,9 @@ class Radau(StepMethod):
             self._saddle = SaddleFactors(kinematics)
         elif self._saddle is not None:
             self._saddle.choose(kinematics)
-        return Collocation(kinematics, given.rtol, self.course.natural_atol(), given.minor, self._saddle)
+        steps = Collocation(kinematics, given.rtol, self.course.natural_atol(), given.minor, self._saddle)
+        self.control.give(steps.struct.control)
+        return steps
 
     @property
     def placed(self) -> CoordinateWork:
@@ -124,7 +129,7 @@ class Radau(StepMethod):
         c = self.steps.struct
         log.debug("another trial at t = %.9g s with a shorter step: %s", c.t, self._failed)
         wished, end = self._wished, c.end
-        self.steps.refuse(SHORTER)
+        self.steps.refuse(self.control.shorter())
         if changed:
             self.restart()
             self.aim(end)

@@ -15,6 +15,7 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import FlexelError
+from flexel.engine.control import StepControl
 from flexel.engine.coordinate_work import CoordinateWork
 from flexel.engine.covered import Covered
 from flexel.integration.account import Account, Quadrature
@@ -182,6 +183,7 @@ class StepMethod(ABC):
 
     name: ClassVar[str]
     quadrature: ClassVar[Quadrature]
+    control: ClassVar[StepControl]
     flat = -np.inf  # time [s] of a flat position at which steps were refused
 
     def __init__(self, course: SteppedMotion) -> None:

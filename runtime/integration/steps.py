@@ -10,6 +10,7 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError
+from flexel.engine.control import StepControl
 from flexel.integration.alpha import AlphaStepper
 from flexel.integration.balance import Balance
 from flexel.integration.between import between
@@ -30,7 +31,7 @@ from flexel.system import CoreSystem
 SHORTEST = 1e-10  # shortest step, over the duration
 LOST = 0.01  # of the energy of a motion that its method may take out or add without a warning
 NEAR = 1e-6  # distance of a time from the end of a step, relative to it, that is rounding
-STEADY = 1.3  # growth factor below which the step is kept: every change disturbs the multipliers
+CONTROL = StepControl(order=3, most=2.0, steady=1.3)  # every change of the step disturbs the multipliers
 MOST_FALSE, MOST_HALVINGS = 8, 4  # step halvings because of spurious energy, and because of new contacts
 
 
@@ -265,13 +266,12 @@ class GeneralizedAlpha(Run):
         step = asked = gap / parts
         while (error := self._error(step)) > 1.0:
             self._rejected += 1
-            step *= 0.5 if math.isinf(error) else max(0.2, 0.9 * error ** (-1 / 3))
+            step *= CONTROL.shorter(error)
             if step < self.shortest:
                 raise self.failure()
         self._steps += 1
         self._refused = (0.0, 0.0)
-        growth = min(2.0, 0.9 * max(error, 1e-6) ** (-1 / 3))
-        allowed = step * (1.0 if 1.0 < growth < STEADY else growth)
+        allowed = step * CONTROL.longer(error)
         self._wish = max(allowed, self._wish) if step == asked else allowed
         if step == asked:
             self._halvings, self._false = max(self._halvings - 1, 0), max(self._false - 1, 0)
