@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +19,8 @@ from flexel.integration.driver import Run
 from flexel.integration.events import Event
 from flexel.integration.outcome import Integration, from_start
 from flexel.integration.simulation import audited_run, explained, planned
-from flexel.integration.stiffness import EXPLICIT, Watch
+from flexel.integration.stiffness import EXPLICIT, RADAU
+from flexel.integration.watch import Watch
 from flexel.model.state import State
 from flexel.results.analyses.checkpoints import Checkpoint
 from flexel.results.interrupted import Interrupted
@@ -77,14 +79,15 @@ def simulate(
         trial of both over some steps from the start shows that Radau takes less than half the evaluations (at
         least 300 radians of the fastest mode, no contacts).  In stiff motions Radau may ignore degrees of
         freedom and rates that are smaller than its tolerance times the largest ones, and use ``rtol=1e-6``,
-        unless `rtol` is given; where laws call functions of the user it does both, without trials.  A motion is
-        stiff if the largest eigenvalue of the linearized start times the duration exceeds 3e4 (900 000 divided
-        by the number of degrees of freedom where these are more than 30), and 100 times the radians that any
-        method must follow (those of modes whose amplitude at the start exceeds a twentieth of the motion or
-        that are unstable, of rotations, and knots of tables), and counts as stiff above 300 degrees of freedom,
-        where no eigenvalues are computed.  Generalized-alpha remains for stiff motions with contacts, if a
-        degree of freedom has no inertia, above 1000 degrees of freedom, and above 300 with kinematic
-        coordinates or internal states.  ``motion.message`` reports the choice and the reason.
+        unless `rtol` is given.  A motion is stiff if the largest eigenvalue of the linearized start times the
+        duration exceeds 3e4 (900 000 divided by the number of degrees of freedom where these are more than 30), and
+        100 times the radians that any method must follow (those of modes whose amplitude at the start exceeds a
+        twentieth of the motion or that are unstable, of rotations, and knots of tables), and counts as stiff above
+        300 degrees of freedom, where no eigenvalues are computed.  Generalized-alpha remains for stiff motions with
+        contacts, if a degree of freedom has no inertia, above 1000 degrees of freedom, and above 300 with kinematic
+        coordinates or internal states.  After 1000 steps, 2000 and so on, auto tries the other one of DOP853 and
+        Radau over some steps from there, and goes on with it if it takes less than half the evaluations (a tenth if
+        it uses a looser tolerance).  ``motion.message`` reports the choice and the reason, and later changes.
     rtol : float, optional
         Local error in one step: DOP853 and Radau, relative to each variable (Radau: to its largest value so far;
         DOP853: of a degree of freedom, to the largest range of a coordinate in this motion so far if that is less),
@@ -139,7 +142,8 @@ def simulate(
     Warns
     -----
     StiffWarning
-        If DOP853 turns out to need many thousands of steps because the system is stiff.
+        If DOP853 turns out to need many thousands of steps because the system is stiff, and was named or cannot be
+        replaced.
     DampingWarning
         If generalized-alpha has removed more than 1 % of the energy of the motion: the larger of its kinetic
         energy and what was dissipated and supplied. ``motion.warnings`` and ``motion.message`` keep the
@@ -157,6 +161,7 @@ def simulate(
         flag(progress, "simulate", "progress")
     given: dict[str, Any] = {"rtol": rtol, "atol": atol, "step": step, "first_step": first_step}
     given |= {"max_step": max_step, "spectral_radius": spectral_radius, "newton": newton}
+    free = method == methods.AUTO and not system.roles.actuated
     method, why, begin, grid, options = planned(
         system,
         duration,
@@ -180,7 +185,8 @@ def simulate(
     log.info("t = %g to %g s by %s", begin.t, grid[-1], why or method)
     ahead = from_start(begin, grid[grid >= begin.t])
     run = methods.run_of(system, method, begin, ahead, float(duration), options)
-    watch = Watch(system) if method == EXPLICIT else None
+    own = replace(options, rtol=rtol, minor=None) if free else None  # not those that a method was chosen with
+    watch = Watch(system, own) if method == EXPLICIT or (own and method == RADAU) else None
     try:
         found = run.run(progress, _each(keeper, watch))
     except FlexelError as error:

@@ -13,6 +13,7 @@ from flexel.model.structure import Structure
 
 FULL = 50  # steps that get the full tolerances
 LEAST = 1 / 32  # of the tolerances that every step gets: less meets the rounding errors of users' functions
+MOVED = ("low", "high", "quick", "sizes", "sizes_new", "states", "states_new")  # by the motion itself
 FINEST = 1e-12  # relative tolerance of a step that is not reduced
 
 
@@ -87,6 +88,12 @@ class Covered(Struct):
         lib.flexel_covered_look(work.struct, self.struct, *vectors)
         lib.flexel_covered_begin(work.struct, self.struct, *vectors[1:3])
 
+    def take_over(self, before: Covered) -> None:
+        """Continue with what a motion has covered, after a change of its method."""
+        for name in MOVED:
+            self.arrays[name][:] = before.arrays[name]
+        self._begun = before._begun
+
     def begin(self, y: Array) -> None:
         """Take these values of y (ny,) as the first ones, in the present degrees of freedom."""
         if self.struct.ny != y.size:
@@ -110,8 +117,13 @@ class Covered(Struct):
 
     def finest_of_step(self, span: float, steps: int) -> float:
         """Return the same relative to what the fastest one moves in a step, for so many steps in a time [s]."""
-        c, moved = self.struct, float(self.arrays["sizes"][lib.FLEXEL_FASTEST]) * span
+        c, moved = self.struct, self.fastest * span
         return c.resolution * c.atol * max(1.0, self.farthest) * steps / moved if moved else 0.0
+
+    @property
+    def fastest(self) -> float:
+        """The largest rate of a coordinate so far, in natural scales."""
+        return float(self.arrays["sizes"][lib.FLEXEL_FASTEST])
 
     @property
     def farthest(self) -> float:

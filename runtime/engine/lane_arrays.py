@@ -7,12 +7,12 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from flexel.base.arrays import Array
-from flexel.engine.control import StepControl
 from flexel.engine.coordinate_work import TOLERANCE, CoordinateLists, CoordinateWork
 from flexel.engine.covered import Covered, ranges
 from flexel.engine.lane_workspace import LaneWorkspace
 from flexel.engine.lanes import LANES, aligned
 from flexel.engine.rotations import LISTS, Rotations
+from flexel.engine.step_control import StepControl
 from flexel.engine.structs import Struct
 from flexel.generated._kernels import ffi, lib
 

@@ -7,7 +7,7 @@
 #ifndef FLEXEL_LANES_H
 #define FLEXEL_LANES_H
 
-#include "control.h"
+#include "step_control.h"
 #include "runge_kutta.h"
 
 /* cdef: begin */

@@ -12,7 +12,7 @@
 
 #include "account.h"
 #include "angles.h"
-#include "control.h"
+#include "step_control.h"
 #include "covered.h"
 #include "radau_saddle.h"
 

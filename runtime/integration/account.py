@@ -62,23 +62,32 @@ def _interpolating(places: Array) -> Array:
 
 
 class Account(Struct):
-    """The struct of account.h, for one motion by one method.
+    """The struct of account.h, for one motion.
 
     Parameters
     ----------
     quadrature : Quadrature
+        Of its method.
     """
 
     def __init__(self, quadrature: Quadrature) -> None:
         super().__init__(ffi.new("flexel_account *"))
-        c = self.struct
-        c.start, c.end = quadrature.start, quadrature.end
-        c.nweights, c.nestimates = quadrature.weights.size, quadrature.estimate.size
-        c.weights, c.estimate = self.pointer(quadrature.weights), self.pointer(quadrature.estimate)
-        c.rough = self.pointer(quadrature.rough)
+        self.use(quadrature)
         self.part()
         self._bytes = ffi.buffer(self.struct)
         self._noted: deque[tuple[float, bytes]] = deque(maxlen=MOST)
+
+    def use(self, quadrature: Quadrature) -> None:
+        """Integrate by the formulas of another method from now on."""
+        names = "weights", "estimate", "rough"
+        self._method = {name: self.pointer(getattr(quadrature, name)) for name in names}
+        self._method |= {"start": quadrature.start, "end": quadrature.end}
+        self._method |= {"nweights": quadrature.weights.size, "nestimates": quadrature.estimate.size}
+        self._give_method()
+
+    def _give_method(self) -> None:
+        for name, value in self._method.items():
+            setattr(self.struct, name, value)
 
     def note(self, t: float) -> None:
         """Remember the account at a time [s], the end of a step."""
@@ -90,6 +99,7 @@ class Account(Struct):
         while len(noted) > 1 and noted[-2][0] >= t:
             noted.pop()
         self._bytes[:] = noted[-1][1]
+        self._give_method()  # the steps that are forgotten may be those of another one
         return noted[-1][0]
 
     def part(self) -> None:

@@ -14,6 +14,7 @@ import numpy as np
 from scipy.optimize import minimize_scalar
 
 from flexel.base.arrays import Array
+from flexel.base.errors import DynamicsError
 from flexel.integration.account import powers
 from flexel.integration.flat import flat_position
 from flexel.integration.knots import Knots
@@ -91,7 +92,7 @@ class Sweeps:
 
         Raises
         ------
-        PositionError, ConstraintError, InertiaError
+        PositionError, ConstraintError, InertiaError, DynamicsError
             Where a point cannot be evaluated.
         """
         path, change = guess, np.inf
@@ -162,6 +163,8 @@ class Sweeps:
             self._off = max(self._off, self._largest(last.x[:nf] - x[i]))
             found.a[i], found.zd[i], found.powers[i] = self._rates(last, z[i])
             self._determinant[i] = self.kinematics.choice.determinant
+        if not all(np.isfinite(part).all() for part in found):
+            raise DynamicsError(f"the path up to t = {path.t1:g} s leads to infinite forces")
         return Path.integral(self.start, self._z, path.t1, found)
 
     def _rates(self, at: Snapshot, z: Array) -> tuple[Array, Array, tuple[float, float]]:

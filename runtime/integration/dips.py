@@ -46,6 +46,10 @@ class Dips:
         self._struct.sign, self._struct.size, self._struct.fall = sign, size, fall
         self._largest = max(size, self._largest)
 
+    def forget(self) -> None:
+        """Continue without the determinant of the last step, whose matrix another method has."""
+        self._kinematics = None
+
     def back(self, t: float) -> None:
         """Discard what was found after a time [s]: these steps are dropped."""
         self.close = [found for found in self.close if found[0] <= t]

@@ -12,16 +12,15 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError, FlexelError
-from flexel.engine.control import StepControl
 from flexel.engine.coordinate_work import CoordinateWork
 from flexel.engine.covered import Covered
+from flexel.engine.step_control import StepControl
 from flexel.integration.account import of_dop853
 from flexel.integration.dense import UNRELIABLE, Interpolant
 from flexel.integration.dop853_stages import B
 from flexel.integration.dop853_steps import Steps
 from flexel.integration.flat import crossing_step, flat_position
 from flexel.integration.step_method import RESOLUTION, Attempted, Found, StepMethod, Tolerances
-from flexel.integration.touching import TRIALS, TouchingContacts
 from flexel.model.snapshot import Snapshot
 from flexel.model.structure import Structure
 
@@ -46,7 +45,6 @@ class Dop853(StepMethod):
     spare : Steps, optional
         Those of another motion that has ended, with the same tolerances: used again if the degrees of freedom are
         the same.
-    touching : TouchingContacts
     h : float
         Length of the next trial [s].
     """
@@ -55,7 +53,6 @@ class Dop853(StepMethod):
     quadrature = of_dop853()
     control = StepControl(order=8, most=10.0, unusable=0.4)
     steps: Steps
-    touching: TouchingContacts
     spare: Steps | None = None
     h = 0.0
     _wished = 0.0  # that of the first one
@@ -67,9 +64,7 @@ class Dop853(StepMethod):
     _rejected = _careful = _first_order = False
     _defect = np.inf  # of the rates, of a longer trial
     _found = np.inf  # the same of the last one, if that is why it was refused
-    _left = TRIALS  # trials to end where a contact begins or ends
     _noise = 0.0  # largest defect of the rates that shorter steps did not reduce, with a margin
-    _last: Snapshot  # at the end of the step that was found
 
     @classmethod
     def scale(cls, structure: Structure, weight: Array, given: Tolerances) -> Covered:
@@ -81,7 +76,6 @@ class Dop853(StepMethod):
         course = self.course
         y = course.choices.values(course.now, course.z)
         course.take()
-        self.touching = TouchingContacts(course.kinematics.evaluation.work.tables)
         spare, self.spare = self.spare, None
         if spare is not None and spare.kinematics is course.kinematics:
             self.steps = spare
@@ -146,7 +140,7 @@ class Dop853(StepMethod):
 
     def aim(self, end: float) -> None:
         """Prepare a step that ends at a time [s] at the latest."""
-        self._end, self._wished, self._left = end, self.h, TRIALS
+        self._end, self._wished = end, self.h
         self._shortest = self.course.shortest
         self._rejected, self._careful, self._defect = False, False, np.inf
         self._first_order = self.steps.first_order
@@ -167,24 +161,20 @@ class Dop853(StepMethod):
             trusted = self._trusted()
             exact = trusted and self._exact(self._defect)
             if exact and not (c.changed and (self._rough() or course.poor())):
-                return self._until_contact()
+                return Attempted.FOUND
             if trusted and not exact:
                 self._found = float(c.defect_v)
             self._error = np.inf
         course.counts["rejected"] += 1
         return self.refuse(False) if np.isfinite(self._error) else Attempted.UNUSABLE
 
-    def _until_contact(self) -> Attempted:
-        """Accept the trial, or prepare one up to where a contact begins or ends."""
-        course = self.course
-        self._left -= 1
-        self._last = self.steps.end(self._to)
-        until = self.touching.until(course.now, self._last) if self._left > 0 else 0.0
-        if until <= self._shortest:
-            return Attempted.FOUND
-        self.h = until
-        course.counts["rejected"] += 1
-        return Attempted.AGAIN
+    def end(self) -> Snapshot:
+        """Return the point at the end of the step that was found."""
+        return self.steps.end(self._to)
+
+    def cut(self, h: float) -> None:
+        """Prepare a step of length h [s] instead of the one that was found."""
+        self.h = h
 
     def refuse(self, changed: bool) -> Attempted:
         """Prepare a shorter step, or first one of the same length that shows why it was of no use."""
@@ -204,9 +194,9 @@ class Dop853(StepMethod):
         self._rejected = True
         return Attempted.FLAT if shows else Attempted.AGAIN
 
-    def accept(self) -> Found:
+    def accept(self, last: Snapshot) -> Found:
         """Continue from the end of the step that was found."""
-        course, s, first, last = self.course, self.steps, self.course.now, self._last
+        course, s, first = self.course, self.steps, self.course.now
         self._lengthen(last.t - first.t)
         if s.struct.changed:
             course.counts["bifurcations"] += 1
@@ -224,7 +214,7 @@ class Dop853(StepMethod):
         if course.dense_at_once or stored:
             dense.take(s, stored)
         s.accept()
-        return Found(dense, z, self._left < TRIALS - 1)
+        return Found(dense, z)
 
     def _lengthen(self, h: float) -> None:
         """Wish for the length of the next step, after one of length h [s]."""

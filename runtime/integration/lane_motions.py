@@ -99,14 +99,14 @@ class LaneMotions:
                 "dip": float(lib.FLEXEL_DIP),
             },
             own.control,
-            own.touching.rows.tolist(),
+            run.touching.rows.tolist(),
         )
         self._roles = kinematics.roles
 
     def enter(self, lane: int, run: MinimalRun) -> None:
         """Put a motion that has begun into a lane."""
         l, method = self._lanes, steps_of(run)
-        s, touching = method.steps, method.touching
+        s, touching = method.steps, run.touching
         choice = s.choice
         l.work.load(lane, choice.work)
         steps, now = l.steps, run.now

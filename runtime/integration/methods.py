@@ -10,45 +10,27 @@ import numpy as np
 
 from flexel.base.arguments import step_limit, vector
 from flexel.base.arrays import Array
-from flexel.base.errors import FlexelError, ModelError
+from flexel.base.errors import ModelError
 from flexel.integration.alpha import AlphaStepper
 from flexel.integration.dop853 import Dop853
 from flexel.integration.driver import Run
 from flexel.integration.events import Event
-from flexel.integration.excitation import followed
 from flexel.integration.followed import Followed
 from flexel.integration.minimal import MinimalRun
 from flexel.integration.radau import Radau
-from flexel.integration.radau_saddle import sparse
-from flexel.integration.step_method import MINOR, Tolerances
+from flexel.integration.step_method import MINOR, StepMethod, Tolerances
 from flexel.integration.steps import Control, GeneralizedAlpha
-from flexel.integration.stiffness import ALPHA, EXPLICIT, RADAU, Suitable, few, smooth, stiff, suitable
-from flexel.integration.trial import explicit_evaluations, implicit_evaluations
+from flexel.integration.stiffness import ALPHA, EXPLICIT, RADAU
 from flexel.mechanics.amplification import amplification, lost
 from flexel.mechanics.inertia import InertiaError
-from flexel.model.callbacks import callbacks_of
 from flexel.model.snapshot import Snapshot
 from flexel.model.state import State, own_state
 from flexel.model.structure import Structure
 from flexel.system import CoreSystem
 
 AUTO = "auto"
+KINDS: dict[str, type[StepMethod]] = {EXPLICIT: Dop853, RADAU: Radau}  # in minimal coordinates
 RTOL, ATOL, IMPLICIT_RTOL = 1e-9, 1e-11, 1e-6
-PER_RADIAN, ORDER = (
-    48.0,
-    5,
-)  # evaluations of Radau in a radian of what it follows, at rtol = 1e-6; and its order
-LINEAR = (
-    17.0  # degrees of freedom for which the linear algebra of a step of Radau costs as much as one evaluation
-)
-SPARSE = 6.0  # the same with sparse factors, in evaluations: 4 to 8 whatever the size
-FEW = 300.0  # radians of the fastest mode that DOP853 follows in no time
-TRIAL = 0.05  # of the cost of DOP853, that a trial of Radau may take: motions may begin with a transient
-MOST = 20_000  # evaluations that it may take
-CHEAPER = (
-    2.0  # times that Radau must need fewer evaluations: a motion may become more lively than at its start
-)
-SOON = 200  # steps after which a motion is linearized if its start cannot be
 LEAST_ATOL = 1e-100  # a smaller value would overflow
 RADIUS, NEWTON = 0.8, "full"
 
@@ -132,95 +114,6 @@ def start_of(system: CoreSystem, method: str, start: Any, options: Options) -> S
         return system.unaccelerated
 
 
-def automatic(
-    system: CoreSystem, start: State, duration: float, options: Options
-) -> tuple[str, str, Options]:
-    """Choose the method for a motion; return it, the reason, and the options with the tolerance chosen for it."""
-    if system.roles.actuated and system.roles.nq:
-        return EXPLICIT, f"{EXPLICIT}, chosen because actuators hold a path", options
-    if system.roles.nq == 0:
-        alone = "only internal states are integrated" if _has_rates(system.structure) else "not integrated"
-        return EXPLICIT, f"{alone}: every motion is prescribed", options
-    found = suitable(system, start)
-    if found.method == EXPLICIT:  # as where a law has an infinite derivative at the start
-        start = _soon(system, start, duration)
-        found = suitable(system, start)
-    if found.method:
-        return _because(found.method, found.why, options)
-    is_stiff, why = (True, found.why) if found.is_large else stiff(system, start, found, duration)
-    suits = few(system) if is_stiff else smooth(system)
-    if is_stiff and suits and callbacks_of(start.structure.laws):  # a trial would call them too
-        loosest = _ways(options, True)[-1][0]
-        return _because(RADAU, f"laws call functions, which are not tried; {why}", loosest)
-    if (found.is_large or float(found.rates.max(initial=0.0)) * duration > FEW) and suits:
-        count, some = _cheapest(system, start, found, duration, options, is_stiff)
-        if some is not None:
-            return _because(
-                RADAU, f"it takes fewer evaluations than {EXPLICIT} at rtol = {_rtol(some):g}; {why}", some
-            )
-        if np.isfinite(count):
-            return _because(
-                EXPLICIT, f"{why}; {RADAU} would not take fewer evaluations" * is_stiff or why, options
-            )
-    if is_stiff:
-        return _because(ALPHA, why, options)
-    return _because(EXPLICIT, why, options)
-
-
-def _ways(options: Options, is_stiff: bool) -> list[tuple[Options, float]]:
-    """Return options of Radau, the most accurate first, and by what factor each must need fewer evaluations.
-
-    In stiff motions it may ignore vibrations that are small beside the largest motion, and take a looser tolerance if
-    none is given.
-    """
-    if not is_stiff:
-        return [(options, CHEAPER)]
-    loose = options if options.rtol is not None else replace(options, rtol=IMPLICIT_RTOL)
-    every = [(options, CHEAPER), (replace(options, minor=1.0), CHEAPER), (loose, 1.0)]
-    return [*every, (replace(loose, minor=1.0), 1.0)]
-
-
-def _cheapest(
-    system: CoreSystem, start: State, found: Suitable, duration: float, options: Options, is_stiff: bool
-) -> tuple[float, Options | None]:
-    """Return the evaluations of DOP853, and the options with which Radau takes fewer; None if it takes as many."""
-    times = np.array([start.t, start.t + duration])
-    explicit = explicit_evaluations(
-        MinimalRun(system, start, times, _tolerances(system, options), (), True, Dop853)
-    )
-    must = 0.0 if found.is_large else followed(system, start, found.matrix, duration)
-    more = SPARSE if sparse(system.kinematics) else system.roles.nd / LINEAR
-    for some, factor in _ways(options, is_stiff):
-        tolerances = _tolerances(system, some)
-        least = must * PER_RADIAN * (IMPLICIT_RTOL / tolerances.rtol) ** (1 / ORDER)
-        if least * factor >= explicit:
-            continue
-        run = MinimalRun(system, start, times, tolerances, (), True, Radau)
-        budget = min(TRIAL * explicit, MOST)
-        if implicit_evaluations(run, more, budget, explicit / factor) * factor < explicit:
-            return explicit, some
-    return explicit, None
-
-
-def _soon(system: CoreSystem, start: State, duration: float) -> State:
-    """Return a state a few steps after the start; the start itself if there is none."""
-    if callbacks_of(start.structure.laws):
-        return start  # what it keeps would be that of a motion that is thrown away
-    times = np.array([start.t, start.t + duration])
-    run = MinimalRun(system, start, times, _tolerances(system, Options()), (), True, Dop853)
-    try:
-        run.begin()
-        while run.statistics["steps"] < SOON and run.t < start.t + duration:
-            run.forward()
-        return run.present
-    except FlexelError:
-        return start
-
-
-def _because(method: str, why: str, options: Options) -> tuple[str, str, Options]:
-    return method, f"{method}, chosen because {why}", options
-
-
 def run_of(
     system: CoreSystem, method: str, start: State, times: Array, duration: float, options: Options
 ) -> Run:
@@ -241,18 +134,19 @@ def run_of(
     """
     if method == ALPHA:
         return _alpha(system, start, times, duration, options)
-    events, tolerances = options.events or (), _tolerances(system, options)
-    if system.roles.nq == 0 and not _has_rates(system.structure):
+    events, tolerances = options.events or (), tolerances_of(system, options)
+    if system.roles.nq == 0 and not has_rates(system.structure):
         return Followed(system, start, times, events)
-    kind = Dop853 if method == EXPLICIT else Radau
     rechoose = options.rechoose is not False
-    return MinimalRun(system, _in_own_roles(system, start), times, tolerances, events, rechoose, kind)
+    return MinimalRun(
+        system, _in_own_roles(system, start), times, tolerances, events, rechoose, KINDS[method]
+    )
 
 
-def _tolerances(system: CoreSystem, options: Options) -> Tolerances:
+def tolerances_of(system: CoreSystem, options: Options) -> Tolerances:
     """Return the tolerances of a method in minimal coordinates."""
     return Tolerances(
-        _rtol(options),
+        rtol_of(options),
         _atol(system, options),
         options.first,
         options.number("max_step", np.inf),
@@ -261,11 +155,12 @@ def _tolerances(system: CoreSystem, options: Options) -> Tolerances:
     )
 
 
-def _rtol(options: Options) -> float:
+def rtol_of(options: Options) -> float:
+    """Return the relative tolerance of a method in minimal coordinates."""
     return options.number("rtol", RTOL, 1e-13)
 
 
-def _has_rates(structure: Structure) -> bool:
+def has_rates(structure: Structure) -> bool:
     """Whether internal states change with time; those of sampled controllers only jump."""
     outputs = (output for law in structure.laws for output in law.spec.kernels["law"].outputs)
     return any(output.name == "zd" and output.nonzeros for output in outputs)

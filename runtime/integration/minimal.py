@@ -16,6 +16,7 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError, FlexelError
+from flexel.engine.covered import Covered
 from flexel.integration.account import Account
 from flexel.integration.across import Crossing
 from flexel.integration.branch import REFUSED, WORSE, Choices
@@ -27,6 +28,7 @@ from flexel.integration.imbalance import AT_REST, ROUNDING, STEPS, Imbalance, ex
 from flexel.integration.outcome import Integration
 from flexel.integration.segments import DenseOutput, Pending, Step
 from flexel.integration.step_method import Attempted, StepMethod, Tolerances, natural_scales_of_y
+from flexel.integration.touching import TRIALS, TouchingContacts
 from flexel.mechanics.amplification import amplification, lost
 from flexel.mechanics.impulse import struck
 from flexel.mechanics.kinematics import Kinematics
@@ -66,6 +68,7 @@ class MinimalRun(DenseRun):
     Attributes
     ----------
     method : StepMethod
+    touching : TouchingContacts
     """
 
     def __init__(
@@ -91,9 +94,9 @@ class MinimalRun(DenseRun):
         }
         self.amplification = 1.0
         self.account = Account(kind.quadrature)
-        self.dips = Dips()
+        self.dips, self.touching = Dips(), TouchingContacts(self.kinematics.evaluation.work.tables)
         self._pause, self._next_crossing = 1, 0  # steps
-        self.covered = kind.scale(system.structure, self.kinematics.lists.step_weight, tolerances)
+        self.covered = self._scale(kind)
         self.method: StepMethod = kind(self)
 
     @property
@@ -137,6 +140,28 @@ class MinimalRun(DenseRun):
         self.method.restart()
         self.account.note(self.t)
 
+    def use(self, kind: type[StepMethod], tolerances: Tolerances) -> None:
+        """Continue from here with another method and its tolerances."""
+        log.info("t = %.9g s: %s instead of %s", self.t, kind.name, self.name)
+        self.tolerances = replace(tolerances, first_step=None)
+        before, self.covered = self.covered, self._scale(kind)
+        self.covered.take_over(before)
+        self.account.use(kind.quadrature)
+        self.dips.forget()
+        self.method = kind(self)
+        self.method.restart()
+
+    def onwards(self, kind: type[StepMethod], tolerances: Tolerances) -> MinimalRun:
+        """Return another motion that continues from here by a method, to be tried."""
+        times, tolerances = np.array([self.t, self.times[-1]]), replace(tolerances, first_step=None)
+        other = MinimalRun(self.system, self.present, times, tolerances, (), True, kind)
+        other.covered.take_over(self.covered)
+        return other
+
+    def _scale(self, kind: type[StepMethod]) -> Covered:
+        """Return what the motion covers, as the scale of the tolerances of a method."""
+        return kind.scale(self.system.structure, self.kinematics.lists.step_weight, self.tolerances)
+
     def renew(self) -> None:
         """Compute the rates with the changed loads."""
         self.method.renew()
@@ -155,16 +180,26 @@ class MinimalRun(DenseRun):
 
     def advance(self) -> str | None:
         """Take one accepted step."""
-        method = self.method
+        method, trials, shortest = self.method, TRIALS, self.shortest
         method.aim(self.latest)
-        while (trial := method.attempt()) is not Attempted.FOUND:
-            if trial is Attempted.UNUSABLE:
+        while True:
+            trial = method.attempt()
+            if trial is Attempted.FOUND:
+                last, trials = method.end(), trials - 1
+                until = self.touching.until(self.now, last) if trials else 0.0
+                if until <= shortest:
+                    ended = self._accept_found(last)
+                    if trials < TRIALS - 1:  # the step was cut
+                        self._looks.forget()
+                    return ended
+                method.cut(until)
+                self.counts["rejected"] += 1
+            elif trial is Attempted.UNUSABLE:
                 trial = method.refuse(self._change_refused())
             if trial is Attempted.SHORT:
                 return self.carry_or_stop(method.stopped())
             if trial is Attempted.FLAT and (steps := self.across(method.flat)):
                 return self.carry(steps)
-        return self._accept_found()
 
     # -- steps that are taken in a lane, see lane_motions.py -------------------------------------------
 
@@ -251,15 +286,14 @@ class MinimalRun(DenseRun):
             else choices.kinematics
         )
 
-    def _accept_found(self) -> str | None:
-        """Store the step that was found, and consider other degrees of freedom at its end.
+    def _accept_found(self, last: Snapshot) -> str | None:
+        """Store the step that was found, up to a point, and consider other degrees of freedom there.
 
         A step that has passed a flat position is replaced by those of `across`, if there are any.
         """
         first, method = self.now, self.method
         self.amplification = method.placed.amplification()
-        dense, z, cut = method.accept()
-        last = dense.last
+        dense, z = method.accept(last)
         flat = self.dips.passed(self.kinematics, first, last, method.placed)
         if flat is not None and (steps := self.across(flat)):
             return self.carry(steps)
@@ -271,8 +305,6 @@ class MinimalRun(DenseRun):
             method.restart()
         if self.choices.changes:
             self._shown = self.shown()
-        if cut:
-            self._looks.forget()
         return ended
 
     def across(self, flat: float) -> list[Carried]:
@@ -393,8 +425,8 @@ class MinimalRun(DenseRun):
 
     @property
     def _moves(self) -> bool:
-        """Whether rates are more than rounding errors, at the end or at some of the stored states."""
-        if self._is_moving(self.now.v):
+        """Whether rates are more than rounding errors, as far as it is known, or at some of the stored states."""
+        if self.covered.fastest > STILL or self._is_moving(self.now.v):
             return True
         some = self.result.states.some(np.linspace(1, 0, LOOKS).tolist())
         return any(

@@ -12,16 +12,17 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError, FlexelError, PositionError
-from flexel.engine.control import StepControl
 from flexel.engine.coordinate_work import CoordinateWork
 from flexel.engine.covered import Covered
 from flexel.engine.finite import TangentError
+from flexel.engine.step_control import StepControl
 from flexel.generated._kernels import lib
 from flexel.integration.account import of_radau
 from flexel.integration.jacobian import jacobian
 from flexel.integration.radau_saddle import SaddleFactors, sparse
 from flexel.integration.radau_steps import FINEST, Collocation, estimated
 from flexel.integration.step_method import Attempted, Found, StepMethod, Tolerances
+from flexel.model.snapshot import Snapshot
 from flexel.model.structure import Structure
 
 log = logging.getLogger("flexel.simulate")
@@ -44,6 +45,7 @@ class Radau(StepMethod):
     _no_slope: TangentError | None = None
     _code = 0  # of what failed in it, or zero
     _wished = 0.0  # length of the first trial [s]
+    _cut = False  # whether the step ends where a contact begins or ends
 
     @classmethod
     def scale(cls, structure: Structure, weight: Array, given: Tolerances) -> Covered:
@@ -100,7 +102,7 @@ class Radau(StepMethod):
     def aim(self, end: float) -> None:
         """Prepare a step that ends at a time [s] at the latest."""
         c = self.steps.struct
-        self._wished, c.end, c.longest = c.h, end, self.course.tolerances.max_step
+        self._cut, self._wished, c.end, c.longest = False, c.h, end, self.course.tolerances.max_step
         c.shortest = self.course.shortest
 
     def attempt(self) -> Attempted:
@@ -136,14 +138,26 @@ class Radau(StepMethod):
             self._wished = wished
         return Attempted.AGAIN
 
-    def accept(self) -> Found:
+    def end(self) -> Snapshot:
+        """Return the point at the end of the step that was found."""
+        c = self.steps.struct
+        return self.steps.end(c.end if c.h == c.end - c.t else c.t + c.h)
+
+    def cut(self, h: float) -> None:
+        """Prepare a step of length h [s] instead of the one that was found."""
+        c = self.steps.struct
+        c.h, c.waiting, self._cut = h, False, True
+
+    def accept(self, last: Snapshot) -> Found:
         """Continue from the end of the step that was found."""
         course, steps, c = self.course, self.steps, self.steps.struct
         self._failed = None
         course.counts["bifurcations"] += bool(c.changed)
         cut, h = c.h < self._wished and not c.rejected, c.h
-        dense = steps.accept(course.now)
-        if cut and c.t == c.end and c.last_h == h:
+        dense = steps.accept(course.now, last)
+        if self._cut:  # the forces at the end are those of another law
+            c.stale, c.last_error = True, 0.0
+        elif cut and c.t == c.end and c.last_h == h:
             c.h = max(c.h, self._wished)
         return Found(dense, dense.end[dense.end.size - course.z.size :].copy())
 

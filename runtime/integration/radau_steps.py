@@ -256,12 +256,12 @@ class Collocation(Struct):
         work = self.choice.work
         return Snapshot(t, work.x.copy(), work.v.copy(), work.e.copy(), work.w[: work.e.size].copy())
 
-    def accept(self, first: Snapshot) -> StagePolynomial:
-        """Continue from the end of the last step, which began at an instant; return its dense output."""
+    def accept(self, first: Snapshot, last: Snapshot) -> StagePolynomial:
+        """Continue from the end of the last step; return its dense output between its ends."""
         c, t, y, L = self.struct, self.struct.t, self.y.copy(), self.turns.start.copy()
         end, charts = y + self.Z[2], self.angles.charts
         lib.flexel_radau_accept(*self._structs)
-        last, powers, rotations = self.end(c.t), self.powers.copy(), self.turns.rotations
+        powers, rotations = self.powers.copy(), self.turns.rotations
         return StagePolynomial(
             self.kinematics, first, last, t, c.last_h, y, powers, end, rotations, L, charts
         )

@@ -13,6 +13,7 @@ from flexel.base.arrays import Array
 from flexel.base.errors import RangeWarning
 from flexel.integration import methods
 from flexel.integration.audit import audited
+from flexel.integration.choose import automatic
 from flexel.integration.consistent import check_rates
 from flexel.integration.driver import Run
 from flexel.integration.events import Event, checked
@@ -51,7 +52,7 @@ def planned(
     check_rates(system, begin.t, begin.t + float(duration))
     if method != methods.AUTO:
         return method, "", begin, grid, options
-    chosen, why, options = methods.automatic(system, begin, float(duration), options)
+    chosen, why, options = automatic(system, begin, float(duration), options)
     return chosen, why, begin, grid, options
 
 

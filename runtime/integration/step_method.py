@@ -15,9 +15,9 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import FlexelError
-from flexel.engine.control import StepControl
 from flexel.engine.coordinate_work import CoordinateWork
 from flexel.engine.covered import Covered
+from flexel.engine.step_control import StepControl
 from flexel.integration.account import Account, Quadrature
 from flexel.integration.branch import Choices
 from flexel.integration.knots import Knots
@@ -86,13 +86,10 @@ class Found(NamedTuple):
         Of the step.
     z : ndarray (nz,)
         Internal states at its end.
-    cut : bool
-        Whether it ends where a contact begins or ends.
     """
 
     dense: DenseOutput
     z: Array
-    cut: bool = False
 
 
 class SteppedMotion(Protocol):
@@ -240,8 +237,16 @@ class StepMethod(ABC):
         """Prepare a shorter step after one that was of no use, perhaps in other degrees of freedom."""
 
     @abstractmethod
-    def accept(self) -> Found:
-        """Continue from the end of the step that was found."""
+    def end(self) -> Snapshot:
+        """Return the point at the end of the step that was found."""
+
+    @abstractmethod
+    def cut(self, h: float) -> None:
+        """Prepare a step of length h [s] instead of the one that was found: a contact begins or ends there."""
+
+    @abstractmethod
+    def accept(self, last: Snapshot) -> Found:
+        """Continue from the end of the step that was found, a point."""
 
     @abstractmethod
     def stopped(self) -> FlexelError:

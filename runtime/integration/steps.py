@@ -10,7 +10,7 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError
-from flexel.engine.control import StepControl
+from flexel.engine.step_control import StepControl
 from flexel.integration.alpha import AlphaStepper
 from flexel.integration.balance import Balance
 from flexel.integration.between import between

@@ -1,17 +1,14 @@
-"""How stiff a system is for an explicit integrator: at its start, and during a motion that turns out to be long."""
+"""How stiff a system is for an explicit integrator at a state."""
 
 from __future__ import annotations
 
-import warnings
 from dataclasses import dataclass, field
 
 import numpy as np
 
 from flexel.base.arrays import Array
-from flexel.base.callers import outside
-from flexel.base.errors import FlexelError, StiffWarning
+from flexel.base.errors import FlexelError
 from flexel.engine.solvers import eigenvalues
-from flexel.integration.driver import Run
 from flexel.integration.excitation import followed
 from flexel.integration.radau_saddle import sparse
 from flexel.mechanics.inertia import InertiaError
@@ -25,8 +22,6 @@ SPREAD = 100.0  # ratio of max |λ| to the rates that the motion follows from wh
 LARGE = 300  # degrees of freedom above which no eigenvalues are taken: the trials of the methods decide alone
 MANY = 1000  # degrees of freedom above which a motion is integrated by generalized-alpha
 RIGID = 1e-6  # relative to the largest eigenvalue: below it nothing resists the motion
-LOOK = 1000  # steps after which an explicit integration is looked at: short motions cost nothing more
-LONG = 5 * LOOK  # steps of a motion that is called long
 
 
 @dataclass(frozen=True)
@@ -102,53 +97,3 @@ def stiff(system: CoreSystem, state: State, found: Suitable, duration: float) ->
     if turns <= SPREAD * turned:
         return False, f"{fastest}, and excited modes turn through {turned:.2g} rad, not {SPREAD:g} times less"
     return True, f"{fastest}, above {most:.3g}"
-
-
-class Watch:
-    """Looks at a motion by DOP853 after some steps, and warns if the rest will be long because of stiffness.
-
-    Parameters
-    ----------
-    system : CoreSystem
-
-    Attributes
-    ----------
-    found : str
-        The finding; empty before the check, and for motions that are not stiff or not long.
-    """
-
-    def __init__(self, system: CoreSystem) -> None:
-        self.system = system
-        self.found = ""
-        self._steps, self._half = 0, 0.0
-
-    def __call__(self, run: Run) -> None:
-        """Count a step."""
-        self._steps += 1
-        if self._steps == LOOK // 2:
-            self._half = run.t
-        elif self._steps == LOOK:
-            self._look(run)
-
-    def _look(self, run: Run) -> None:
-        """Estimate the steps of the whole motion from the last ones, and find what makes them short."""
-        end, step = float(run.times[-1]), 2 * (run.t - self._half) / LOOK
-        count = LOOK + (end - run.t) / step
-        if count < LONG:
-            return
-        demands = suitable(self.system, run.present)
-        fastest = float(demands.rates.max(initial=0.0))
-        slowest = float(demands.rates[demands.rates > RIGID * fastest].min(initial=np.inf))
-        if fastest * (end - float(run.times[0])) > STIFF and fastest > SPREAD * slowest:
-            why = f"its largest eigenvalue is {fastest:.2g} 1/s in magnitude at t = {run.t:.3g} s"
-        elif demands.method == ALPHA or demands.is_large:
-            why = demands.why
-        else:
-            return  # accuracy asks for these steps
-        self.found = f"{EXPLICIT} takes about {count:.2g} steps: {why}"
-        other = RADAU if few(self.system) else ALPHA
-        warnings.warn(
-            f"simulate: {self.found}; an interrupt keeps what was computed, use method='{other}'",
-            StiffWarning,
-            stacklevel=outside(),
-        )

@@ -1,4 +1,4 @@
-"""Ends steps of an explicit method where contacts, stops and tyres begin and end to act."""
+"""Ends steps where contacts, stops and tyres begin and end to act."""
 
 from __future__ import annotations
 

@@ -2,19 +2,26 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from flexel.base.errors import FlexelError
 from flexel.engine.covered import FULL
 from flexel.integration.minimal import MinimalRun
-from flexel.model.callbacks import callbacks_of
 
 STEPS = 60  # of a trial at least
 LATER = 30  # more of them with the tolerances of later steps
 LAST, SHARE = 20, 0.1  # least number of steps that are taken as typical, and their share of a trial
 TYPICAL = (7 / 8) ** 8  # of all steps: there the length of steps that shrink as n^(-1/8) has its mean
 FALLS = 0.8  # of the estimate as the trial is twice as long, below which the motion begins with a transient
-LONGER = 4.0  # times its budget, which a trial may take while a transient dies out
+
+
+class Budget(NamedTuple):
+    """Evaluations that a trial takes in any case, and the most of them while a transient dies out."""
+
+    least: float
+    most: float
 
 
 class Trial:
@@ -79,15 +86,13 @@ class Trial:
 def explicit_evaluations(run: MinimalRun) -> float:
     """Estimate the evaluations of a motion by DOP853, whose tolerances are smaller for later steps; see `Covered`.
 
-    Infinite where laws call code of the user, which may keep something from call to call, and where the trial fails.
+    Infinite where the trial fails.
 
     Parameters
     ----------
     run : MinimalRun
         That has not begun; it is of no use afterwards.
     """
-    if callbacks_of(run.present.structure.laws):
-        return np.inf
     try:
         trial = Trial(run)
         trial.go_on(STEPS)
@@ -100,7 +105,7 @@ def explicit_evaluations(run: MinimalRun) -> float:
         return np.inf
 
 
-def implicit_evaluations(run: MinimalRun, more: float, budget: float, wanted: float) -> float:
+def implicit_evaluations(run: MinimalRun, more: float, budget: Budget, wanted: float) -> float:
     """Estimate the same for an implicit method.
 
     Parameters
@@ -109,22 +114,18 @@ def implicit_evaluations(run: MinimalRun, more: float, budget: float, wanted: fl
         That has not begun; it is of no use afterwards.
     more : float
         Evaluations that cost as much as the linear algebra of a step.
-    budget : float
-        Evaluations that the trial takes in any case; more of them while a transient dies out.
+    budget : Budget
     wanted : float
         Evaluations that the motion may take: with fewer a transient need not be waited for.
     """
-    if callbacks_of(run.present.structure.laws):
-        return np.inf
     try:
         trial = Trial(run)
-        trial.go_on(STEPS // 2, budget / 2)
+        trial.go_on(STEPS // 2, budget.least / 2)
         before = trial.evaluations(more)
-        trial.go_on(STEPS, budget)
+        trial.go_on(STEPS, budget.least)
         found = trial.evaluations(more)
-        longest = LONGER * budget
-        while wanted <= found < FALLS * before and trial.count < longest and not trial.ended:
-            trial.go_on(0, min(2 * trial.count, longest))
+        while wanted <= found < FALLS * before and trial.count < budget.most and not trial.ended:
+            trial.go_on(0, min(2 * trial.count, budget.most))
             before, found = found, trial.evaluations(more)
         return found
     except FlexelError:

@@ -9,6 +9,7 @@ from campaign.trial import Trial, off
 from flexel.base.arrays import Array
 
 NEAR = 1e-3  # smallest singular value of constraints at an equilibrium that is examined
+NOISE = 1e-5  # of the rate at which a pendulum of the model's size swings: what smaller eigenvalues are
 BAD = 0.03  # of the motion left by the coordinates chosen before, the least that a further one must show
 
 
@@ -96,7 +97,17 @@ def eigenvalues(trial: Trial) -> float:
     m.independent(*other_names(trial, trial.x(rest), trial.v(rest)))
     other = m.build()
     second = other.linearize(other.state(rest.t, rest.x, 0 * rest.v, e=rest.e))
-    return polynomials(trial.system.linearize(rest).eigenvalues(), second.eigenvalues())
+    values = trial.system.linearize(rest).eigenvalues()
+    if neutral(trial, values):
+        raise Inapplicable("nothing holds it")
+    return polynomials(values, second.eigenvalues())
+
+
+def neutral(trial: Trial, values: Array) -> bool:
+    """Whether all eigenvalues are rounding errors of stiffnesses, as in a linkage that moves in a horizontal plane."""
+    size = float(np.ptp(trial.oracle.drawn[trial.oracle.free]))
+    pendulum = (float(np.linalg.norm(trial.case.gravity)) / max(size, 1e-3)) ** 0.5
+    return bool(np.max(np.abs(values), initial=0.0) < NOISE * pendulum)
 
 
 def folded(trial: Trial, state: fx.State) -> bool:

@@ -7,7 +7,7 @@ import pytest
 
 import flexel as fx
 from flexel.engine import covered
-from flexel.integration import stiffness
+from flexel.integration import stiffness, watch
 
 
 def mass(fast: float) -> fx.System:
@@ -36,9 +36,9 @@ def test_a_long_stiff_motion_is_announced_at_the_call() -> None:
 
 
 def test_the_estimated_number_of_steps_is_that_of_the_motion(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(stiffness, "STIFF", 300.0)
-    monkeypatch.setattr(stiffness, "LOOK", 100)
-    monkeypatch.setattr(stiffness, "LONG", 500)
+    monkeypatch.setattr(watch, "STIFF", 300.0)
+    monkeypatch.setattr(watch, "LOOK", 100)
+    monkeypatch.setattr(watch, "LONG", 500)
     monkeypatch.setattr(covered, "FULL", 1e9)  # as in stiff motions, whose steps do not depend on tolerances
     with pytest.warns(fx.StiffWarning) as said:
         motion = mass(1e3).simulate(1.0, method="DOP853")
@@ -51,9 +51,9 @@ def test_the_estimated_number_of_steps_is_that_of_the_motion(monkeypatch: pytest
 def test_the_look_changes_nothing_of_the_motion(monkeypatch: pytest.MonkeyPatch) -> None:
     plain = mass(1e3).simulate(0.3, method="DOP853")
     assert plain.message == f"reached the end ({plain.verdict})"
-    monkeypatch.setattr(stiffness, "STIFF", 1.0)
-    monkeypatch.setattr(stiffness, "LOOK", 50)
-    monkeypatch.setattr(stiffness, "LONG", 50)
+    monkeypatch.setattr(watch, "STIFF", 1.0)
+    monkeypatch.setattr(watch, "LOOK", 50)
+    monkeypatch.setattr(watch, "LONG", 50)
     with pytest.warns(fx.StiffWarning):
         seen = mass(1e3).simulate(0.3, method="DOP853")
     assert seen.statistics == plain.statistics
@@ -73,7 +73,7 @@ def test_events_do_not_change_the_method(monkeypatch: pytest.MonkeyPatch) -> Non
 
 def test_many_steps_for_accuracy_alone_are_not_called_stiff(monkeypatch: pytest.MonkeyPatch) -> None:
     """As many turns as below the limit of `auto`, however many steps they take."""
-    monkeypatch.setattr(stiffness, "LOOK", 50)
-    monkeypatch.setattr(stiffness, "LONG", 50)
+    monkeypatch.setattr(watch, "LOOK", 50)
+    monkeypatch.setattr(watch, "LONG", 50)
     motion = mass(1e3).simulate(0.3, method="DOP853")
     assert motion.message == f"reached the end ({motion.verdict})" and motion.statistics["steps"] > 100

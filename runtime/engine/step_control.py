@@ -44,7 +44,7 @@ class StepControl:
         return 1.0 if 1.0 < factor < self.steady else factor
 
     def give(self, struct: Any) -> None:
-        """Write the numbers into a struct of control.h."""
+        """Write the numbers into a struct of step_control.h."""
         struct.safety, struct.least = SAFETY, LEAST
         for name, value in vars(self).items():
             setattr(struct, name, value)

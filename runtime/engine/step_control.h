@@ -1,6 +1,6 @@
-/* How the length of a step follows from its error, relative to what is allowed: one rule for all methods, see control.py. */
-#ifndef FLEXEL_CONTROL_H
-#define FLEXEL_CONTROL_H
+/* How the length of a step follows from its error, relative to what is allowed: one rule for all methods, see step_control.py. */
+#ifndef FLEXEL_STEP_CONTROL_H
+#define FLEXEL_STEP_CONTROL_H
 
 #include <math.h>
 

@@ -1,0 +1,167 @@
+"""The method that `simulate` chooses by itself, at the start of a motion and during it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+
+from flexel.base.errors import FlexelError
+from flexel.integration.dop853 import Dop853
+from flexel.integration.excitation import followed
+from flexel.integration.methods import IMPLICIT_RTOL, Options, has_rates, rtol_of, tolerances_of
+from flexel.integration.minimal import MinimalRun
+from flexel.integration.radau import Radau
+from flexel.integration.radau_saddle import sparse
+from flexel.integration.step_method import StepMethod
+from flexel.integration.stiffness import ALPHA, EXPLICIT, RADAU, few, smooth, stiff, suitable
+from flexel.integration.trial import Budget, explicit_evaluations, implicit_evaluations
+from flexel.model.state import State
+from flexel.system import CoreSystem
+
+PER_RADIAN, ORDER = (
+    48.0,
+    5,
+)  # evaluations of Radau in a radian of what it follows, at rtol = 1e-6; and its order
+LINEAR = (
+    17.0  # degrees of freedom for which the linear algebra of a step of Radau costs as much as one evaluation
+)
+SPARSE = 6.0  # the same with sparse factors, in evaluations: 4 to 8 whatever the size
+FEW = 300.0  # radians of the fastest mode that DOP853 follows in no time
+TRIAL = 0.05  # of the cost of DOP853, that a trial of Radau may take: motions may begin with a transient
+MOST = 20_000  # evaluations that it may take
+CHEAPER = (
+    2.0  # times that Radau must need fewer evaluations: a motion may become more lively than at its start
+)
+MUCH_CHEAPER = 10.0  # the same at a looser tolerance than that of the motion so far
+LONGER = 4.0  # times its budget, which a trial at the start may take while a transient dies out
+SOON = 200  # steps after which a motion is linearized if its start cannot be
+
+
+class Way(NamedTuple):
+    """Options of Radau, and by what factor it must need fewer evaluations with them."""
+
+    options: Options
+    factor: float
+
+
+def automatic(
+    system: CoreSystem, start: State, duration: float, options: Options
+) -> tuple[str, str, Options]:
+    """Choose the method for a motion; return it, the reason, and the options with the tolerance chosen for it."""
+    if system.roles.actuated and system.roles.nq:
+        return EXPLICIT, f"{EXPLICIT}, chosen because actuators hold a path", options
+    if system.roles.nq == 0:
+        alone = "only internal states are integrated" if has_rates(system.structure) else "not integrated"
+        return EXPLICIT, f"{alone}: every motion is prescribed", options
+    found = suitable(system, start)
+    if found.method == EXPLICIT:  # as where a law has an infinite derivative at the start
+        start = _soon(system, start, duration)
+        found = suitable(system, start)
+    if found.method:
+        return _because(found.method, found.why, options)
+    is_stiff, why = (True, found.why) if found.is_large else stiff(system, start, found, duration)
+    suits = few(system) if is_stiff else smooth(system)
+    if (found.is_large or float(found.rates.max(initial=0.0)) * duration > FEW) and suits:
+
+        def begun(some: Options, kind: type[StepMethod] = Radau) -> MinimalRun:
+            times = np.array([start.t, start.t + duration])
+            return MinimalRun(system, start, times, tolerances_of(system, some), (), True, kind)
+
+        count = explicit_evaluations(begun(options, Dop853))
+        ways, least = _ways(options, is_stiff), min(TRIAL * count, MOST)
+        turns = 0.0 if found.is_large else followed(system, start, found.matrix, duration)
+        some = cheaper(begun, ways, count, Budget(least, LONGER * least), linear_algebra(system), turns)
+        if some is not None:
+            return _because(RADAU, f"{fewer(some)}; {why}", some)
+        if np.isfinite(count):
+            return _because(
+                EXPLICIT, f"{why}; {RADAU} would not take fewer evaluations" * is_stiff or why, options
+            )
+    if is_stiff:
+        return _because(ALPHA, why, options)
+    return _because(EXPLICIT, why, options)
+
+
+def _ways(options: Options, is_stiff: bool) -> list[Way]:
+    """Return ways of Radau for a whole motion, the most accurate first.
+
+    In stiff motions it may ignore vibrations that are small beside the largest motion, and take a looser tolerance if
+    none is given.
+    """
+    if not is_stiff:
+        return [Way(options, CHEAPER)]
+    loose = options if options.rtol is not None else replace(options, rtol=IMPLICIT_RTOL)
+    every = [Way(options, CHEAPER), Way(replace(options, minor=1.0), CHEAPER), Way(loose, 1.0)]
+    return [*every, Way(replace(loose, minor=1.0), 1.0)]
+
+
+def later_ways(options: Options) -> list[Way]:
+    """Return ways of Radau for the rest of a motion, which has been more accurate so far."""
+    loose = options if options.rtol is not None else replace(options, rtol=IMPLICIT_RTOL)
+    return [Way(options, CHEAPER), Way(replace(loose, minor=1.0), MUCH_CHEAPER)]
+
+
+def cheaper(
+    begun: Callable[[Options], MinimalRun],
+    ways: Sequence[Way],
+    explicit: float,
+    budget: Budget,
+    more: float,
+    turns: float = 0.0,
+) -> Options | None:
+    """Return the options with which Radau takes fewer evaluations; None if it takes as many.
+
+    Parameters
+    ----------
+    begun : callable(options) -> MinimalRun
+        A motion by Radau that has not begun.
+    ways : sequence of Way
+        What is tried.
+    explicit : float
+        Evaluations that DOP853 takes.
+    budget : Budget
+        Evaluations that each trial takes.
+    more : float
+        Those that cost as much as the linear algebra of a step.
+    turns : float
+        Radians that any method must follow.
+    """
+    for some, factor in ways:
+        run = begun(some)
+        least = turns * PER_RADIAN * (IMPLICIT_RTOL / run.tolerances.rtol) ** (1 / ORDER)
+        if (
+            least * factor < explicit
+            and implicit_evaluations(run, more, budget, explicit / factor) * factor < explicit
+        ):
+            return some
+    return None
+
+
+def linear_algebra(system: CoreSystem) -> float:
+    """Return the evaluations that cost as much as the linear algebra of a step of Radau."""
+    return SPARSE if sparse(system.kinematics) else system.roles.nd / LINEAR
+
+
+def fewer(options: Options) -> str:
+    """Say why Radau is chosen, with its tolerance."""
+    return f"it takes fewer evaluations than {EXPLICIT} at rtol = {rtol_of(options):g}"
+
+
+def _soon(system: CoreSystem, start: State, duration: float) -> State:
+    """Return a state a few steps after the start; the start itself if there is none."""
+    times = np.array([start.t, start.t + duration])
+    run = MinimalRun(system, start, times, tolerances_of(system, Options()), (), True, Dop853)
+    try:
+        run.begin()
+        while run.statistics["steps"] < SOON and run.t < start.t + duration:
+            run.forward()
+        return run.present
+    except FlexelError:
+        return start
+
+
+def _because(method: str, why: str, options: Options) -> tuple[str, str, Options]:
+    return method, f"{method}, chosen because {why}", options

@@ -1,0 +1,90 @@
+"""A motion that `simulate` began by DOP853 goes on with Radau where that takes fewer evaluations, and back."""
+
+import re
+import warnings
+from typing import Any
+
+import numpy as np
+import pytest
+
+import flexel as fx
+from flexel.integration import watch
+
+
+def pressed(stiffness: float, damping: float, force: Any = 10.0) -> fx.System:
+    """A mass of 1 kg that a force of 10 N holds against a stop at 0.3 m, and a spring of 10 N/m draws back with 3 N."""
+    m = fx.Model()
+    O, A = m.point("O", (0, 0), fixed=True), m.point("A", (1, 0))
+    m.fix("A.y")
+    m.point_mass("mass", A, 1.0)
+    m.truss("spring", O, A, stiffness=10.0)
+    m.load("A.x", force)
+    m.stop("spring.elongation", 0.3, stiffness, damping)
+    return m.build()
+
+
+def rolling() -> fx.System:
+    """A ball on a stiff floor, held by a soft spring: it slides at first."""
+    m = fx.Model(gravity=(0, 0, -9.81))
+    m.point("corner", (0, 0, 0), fixed=True)
+    m.plane("floor", "corner", m.frame("ground", fixed=True), normal=(0, 0, 1))
+    m.rigid_body("ball", (0, 0, 0.11), mass=1.0, inertia=(0.004,) * 3)
+    contact = fx.Contact(1e9, dissipation=2.0, friction=0.3, slip_speed=1e-3)
+    m.contact("touch", "ball", "floor", contact, frame="ball_frame", radius=0.1)
+    m.spring("ball.x", 2.0)
+    m.initial("ball.x", rate=1.0)
+    return m.build()
+
+
+def test_a_motion_that_becomes_stiff_goes_on_with_radau() -> None:
+    """At rest on the stop DOP853 takes steps of 1e-5 s: more than four million in all."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        motion = pressed(1e9, 10.0).simulate(10.0, samples=11)
+    assert "; Radau from t = 0." in motion.message
+    assert (
+        "on, since it takes fewer evaluations than DOP853 at rtol = 1e-09; energy balance within"
+        in motion.message
+    )
+    assert motion.statistics["steps"] < 70_000
+    assert motion["A.x"][-1] == pytest.approx(1.3 + 7.0 / (1e9 + 10.0), abs=1e-13)  # at rest
+
+
+def test_the_rest_of_the_motion_is_as_exact_as_its_beginning() -> None:
+    """A ball that slides, then rolls to and fro, against DOP853 at a tight tolerance."""
+    times = np.linspace(0, 10, 21)
+    system = rolling()
+    motion = system.simulate(10.0, times=times)
+    assert "; Radau from t = " in motion.message and "at rtol = 1e-09" in motion.message
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", fx.StiffWarning)
+        exact = system.simulate(10.0, times=times, method="DOP853", rtol=1e-11)
+    assert motion.statistics["evaluations"] < exact.statistics["evaluations"] / 2
+    for name in ("ball.x", "ball.x'"):
+        np.testing.assert_allclose(motion[name], exact[name], atol=2e-8)
+
+
+def test_it_goes_back_to_dop853_where_the_motion_becomes_lively(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A mass that is held against a stop for 3 s, and then shaken in the air at 60 rad/s."""
+    monkeypatch.setattr(watch, "LOOK", 200)
+    monkeypatch.setattr(watch, "LONG", 400)
+
+    def shaken(t: float) -> float:
+        return 10.0 if t < 3.0 else -2.0 + 20.0 * float(np.sin(60.0 * t))
+
+    system = pressed(1e7, 1e2, shaken)
+    motion = system.simulate(20.0, samples=61)
+    changes = re.findall("(Radau|DOP853) from t = ([0-9.]+) s on", motion.message)
+    (first, begun), (last, back) = changes[0], changes[-1]
+    assert (first, last) == ("Radau", "DOP853")
+    assert float(begun) < 1.0 and float(back) > 3.0
+    exact = system.simulate(20.0, samples=61, method="DOP853", rtol=1e-10)
+    np.testing.assert_allclose(motion["A.x"], exact["A.x"], atol=1e-7)
+
+
+def test_a_method_that_is_named_stays(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(watch, "LOOK", 100)
+    monkeypatch.setattr(watch, "LONG", 200)
+    with pytest.warns(fx.StiffWarning, match="use method='Radau'$"):
+        motion = rolling().simulate(0.5, method="DOP853")
+    assert "Radau" not in motion.message
