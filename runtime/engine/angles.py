@@ -11,6 +11,8 @@ from flexel.generated._kernels import ffi
 from flexel.model.role_lists import Roles
 from flexel.model.structure import Structure
 
+NO_CHARTS: Array = np.zeros((0, 3))
+
 
 class Angles(Struct):
     """The struct of angles.h for one choice of degrees of freedom.
@@ -69,6 +71,8 @@ class Angles(Struct):
     @property
     def charts(self) -> Array:
         """What the angles of a step are, (angles, 3): number in y, Euler parameter and slope at its start."""
+        if not self.count:
+            return NO_CHARTS
         q = self._start[np.arange(self.count), self._part]
         return np.asarray(np.column_stack([self.dof, q, self.slope])[self.slope != 0])
 

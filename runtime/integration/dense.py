@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from itertools import accumulate
 from operator import mul
+from typing import NamedTuple
 
 import numpy as np
 from numpy.polynomial import legendre
@@ -190,6 +191,42 @@ class Inside(Stages):
         return Snapshot(t, work.x.copy(), work.v.copy(), e, step.first.ed), z
 
 
+class Allowed(NamedTuple):
+    """What the control of a step of DOP853 has allowed at its end; errors allowed within it follow from that.
+
+    Attributes
+    ----------
+    scale, of_rotations : ndarray (ny,), (4 count,)
+        Allowed errors at its end, of y and of orientations that turn freely.
+    y1, ranges : ndarray (ny,)
+        Values at its end, and how far they have moved.
+    part : float
+        Of the tolerances, that the step got.
+    relative : bool
+        Whether tolerances are relative to the motion.
+    """
+
+    scale: Array
+    of_rotations: Array
+    y1: Array
+    ranges: Array
+    part: float
+    relative: bool
+
+    def inside(self, y0: Array, rates: slice, rtol: float) -> Array:
+        """Return errors allowed of an interpolation from y0 (ny,) to y1, whose rates are known by a slice.
+
+        Rates that hardly change are as exact relative to their range, as all that is stored: at its end a step is more
+        exact than it has to be. An error that only rounding explains is not more of an interpolation.
+        """
+        allowed = self.scale.copy()
+        if self.relative:
+            rtol, size = self.part * rtol, np.maximum(np.abs(y0), np.abs(self.y1))[rates]
+            rounded = (allowed[rates] - rtol * size) / UNRELIABLE
+            allowed[rates] = rounded + rtol * np.minimum(size, self.ranges[rates])
+        return allowed
+
+
 @dataclass(frozen=True, eq=False)
 class Interpolant(DenseOutput):
     """Interpolation in a step of DOP853; where it does not satisfy the equations, steps from its start.
@@ -208,8 +245,7 @@ class Interpolant(DenseOutput):
         Angular velocities of orientations that turn freely, at the start, and their rates.
     z1 : ndarray (nz,)
         Internal states at the end.
-    allowed : ndarray (ny + 4 count,)
-        Errors that were allowed in the step, of y, of angular velocities and of Euler parameters that are not in y.
+    of_step : Allowed
     interval : Interval
         In which the functions of time were evaluated.
     rtol, accept : float
@@ -221,7 +257,7 @@ class Interpolant(DenseOutput):
     w0: Array
     w_rates0: Array
     z1: Array
-    allowed: Array
+    of_step: Allowed
     interval: Interval
     rtol: float
     accept: float
@@ -230,6 +266,13 @@ class Interpolant(DenseOutput):
     def h(self) -> float:
         """Length of the step [s]."""
         return self.last.t - self.first.t
+
+    @cached_property
+    def allowed(self) -> Array:
+        """Errors (ny + 4 count,) allowed of y, of angular velocities and of Euler parameters that are not in y."""
+        roles, given = self.kinematics.roles, self.of_step
+        of_y = given.inside(self.y0, slice(roles.nq, roles.nq + roles.nd), self.rtol)
+        return self.inside.rotations.allowed(of_y, given.of_rotations) / given.part
 
     @property
     def inside(self) -> Inside:

@@ -16,7 +16,7 @@ from flexel.engine.coordinate_work import CoordinateWork
 from flexel.engine.covered import Covered
 from flexel.engine.step_control import StepControl
 from flexel.integration.account import of_dop853
-from flexel.integration.dense import UNRELIABLE, Interpolant
+from flexel.integration.dense import Allowed, Interpolant
 from flexel.integration.dop853_stages import B
 from flexel.integration.dop853_steps import Steps
 from flexel.integration.flat import crossing_step, flat_position
@@ -138,10 +138,10 @@ class Dop853(StepMethod):
         kinematics.check(choice.evaluate(t, y, ahead, now.turns(t)), t)
         return choice.dy.copy()
 
-    def aim(self, end: float) -> None:
+    def aim(self, end: float, shortest: float) -> None:
         """Prepare a step that ends at a time [s] at the latest."""
         self._end, self._wished = end, self.h
-        self._shortest = self.course.shortest
+        self._shortest = shortest
         self._rejected, self._careful, self._defect = False, False, np.inf
         self._first_order = self.steps.first_order
 
@@ -201,10 +201,10 @@ class Dop853(StepMethod):
         if s.struct.changed:
             course.counts["bifurcations"] += 1
             s.struct.sign = -s.struct.sign
-        allowed = self.allowed_inside(
-            s.scale, s.w_scale, s.y, s.y_new, course.covered.ranges(s.y_new), course.covered.part
-        )
-        z = s.y_new[s.y_new.size - course.z.size :].copy()
+        y1, covered = s.y_new.copy(), course.covered
+        of_step = s.scale.copy(), s.w_scale.copy(), y1, covered.ranges(y1), covered.part
+        allowed = Allowed(*of_step, course.tolerances.relative)
+        z = y1[y1.size - course.z.size :]
         exactness = float(s.struct.rtol), float(s.choice.struct.accept)
         begun = s.y.copy(), s.K[0].copy(), s.w.copy(), s.w_rates[0].copy()
         dense = Interpolant(
@@ -273,22 +273,6 @@ class Dop853(StepMethod):
         if stays := bool(c.defect_v > STAYS * longer):
             self._noise = max(self._noise, NOISE * c.defect_v)
         return stays
-
-    def allowed_inside(
-        self, scale: Array, w_scale: Array, y0: Array, y1: Array, ranges: Array, part: float
-    ) -> Array:
-        """Return errors allowed of an interpolation from y0 to y1, from those of the step at its end.
-
-        Rates that hardly change are as exact relative to their range, as all that is stored: at its end a step is more
-        exact than it has to be. An error that only rounding explains is not more of an interpolation.
-        """
-        allowed, given, roles = scale.copy(), self.course.tolerances, self.course.kinematics.roles
-        if given.relative:
-            rates = slice(roles.nq, roles.nq + roles.nd)
-            rtol, size = part * given.rtol, np.maximum(np.abs(y0), np.abs(y1))[rates]
-            rounded = (allowed[rates] - rtol * size) / UNRELIABLE
-            allowed[rates] = rounded + rtol * np.minimum(size, ranges[rates])
-        return self.steps.rotations.allowed(allowed, w_scale) / part
 
     # -- steps that are taken in a lane, see abreast.py ------------------------------------------------
 

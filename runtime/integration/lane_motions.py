@@ -24,7 +24,7 @@ from flexel.engine.lane_workspace import LaneWorkspace
 from flexel.generated._kernels import lib
 from flexel.integration import dop853 as rules
 from flexel.integration.branch import WORSE
-from flexel.integration.dense import Interpolant
+from flexel.integration.dense import Allowed, Interpolant
 from flexel.integration.dop853_stages import TABLEAU
 from flexel.integration.dop853_steps import accepted_error
 from flexel.integration.driver import Run
@@ -186,9 +186,8 @@ class LaneMotions:
         y0, y1, w0 = (array[:, lane].copy() for array in (steps.y, steps.y_new, steps.w))
         rates0, w_rates0 = (array[0, :, lane].copy() for array in (steps.K, steps.w_rates))
         scales = steps.scale[:, lane], steps.w_scale[:, lane]
-        allowed = steps_of(run).allowed_inside(
-            *scales, y0, y1, self._covered.ranges(lane, y1), self._covered.part(lane)
-        )
+        ranges, part = self._covered.ranges(lane, y1), self._covered.part(lane)
+        allowed = Allowed(*scales, y1, ranges, part, run.tolerances.relative)
         accept = self._covered.accepted_error(lane, float(l.choice.struct.accept))
         exactness = float(run.tolerances.rtol), accept
         z1 = y1[y1.size - run.z.size :].copy()

@@ -181,7 +181,7 @@ class MinimalRun(DenseRun):
     def advance(self) -> str | None:
         """Take one accepted step."""
         method, trials, shortest = self.method, TRIALS, self.shortest
-        method.aim(self.latest)
+        method.aim(self.latest, shortest)
         while True:
             trial = method.attempt()
             if trial is Attempted.FOUND:

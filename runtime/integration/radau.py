@@ -99,11 +99,11 @@ class Radau(StepMethod):
         self.restart()
         self.steps.struct.stale = True  # close to a flat position the Jacobian is noise
 
-    def aim(self, end: float) -> None:
+    def aim(self, end: float, shortest: float) -> None:
         """Prepare a step that ends at a time [s] at the latest."""
         c = self.steps.struct
         self._cut, self._wished, c.end, c.longest = False, c.h, end, self.course.tolerances.max_step
-        c.shortest = self.course.shortest
+        c.shortest = shortest
 
     def attempt(self) -> Attempted:
         """Try the step that is prepared, and shorter ones until the error is small."""
@@ -134,7 +134,7 @@ class Radau(StepMethod):
         self.steps.refuse(self.control.shorter())
         if changed:
             self.restart()
-            self.aim(end)
+            self.aim(end, c.shortest)
             self._wished = wished
         return Attempted.AGAIN
 

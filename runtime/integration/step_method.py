@@ -135,11 +135,6 @@ class SteppedMotion(Protocol):
         ...
 
     @property
-    def shortest(self) -> float:
-        """Length [s] below which a step is too short."""
-        ...
-
-    @property
     def dense_at_once(self) -> bool:
         """Whether states within a step are asked for before the next one is taken, whatever is stored."""
         ...
@@ -225,8 +220,8 @@ class StepMethod(ABC):
         self.restart()
 
     @abstractmethod
-    def aim(self, end: float) -> None:
-        """Prepare a step that ends at a time [s] at the latest."""
+    def aim(self, end: float, shortest: float) -> None:
+        """Prepare a step that ends at a time [s] at the latest; a shorter one than `shortest` [s] is too short."""
 
     @abstractmethod
     def attempt(self) -> Attempted:

@@ -17,7 +17,7 @@ from campaign.twin import Twin
 from flexel.base.arrays import Array
 
 STEP = 1e-30  # of the complex step: nothing is subtracted
-POINTS = 16  # on the circle
+POINTS = 32  # on the circle: a rod of 0.09 m may turn with 12 rad/s
 RADIUS = 0.03  # of the circle: the largest change of a coordinate, and at most of the time [s]
 RANK = 1e-9  # singular values below this share of the largest are zero
 CLEAR = 1e-5  # those between RANK and this make a configuration nearly singular

@@ -88,3 +88,26 @@ def test_a_method_that_is_named_stays(monkeypatch: pytest.MonkeyPatch) -> None:
     with pytest.warns(fx.StiffWarning, match="use method='Radau'$"):
         motion = rolling().simulate(0.5, method="DOP853")
     assert "Radau" not in motion.message
+
+
+def test_trials_change_nothing_of_the_motion(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A chain of three links that swings by 180°, which is cheaper by DOP853: four looks at it."""
+    m = fx.Model(gravity=(0, -9.81))
+    line = m.chain("chain", [(0, 0), (1, 0)], 3, mass_per_length=1.0)
+    m.fix(line.points[0])
+    system, end = m.build(), line.points[-1].name
+    plain = system.simulate(5.0, samples=31, method="DOP853")
+    monkeypatch.setattr(watch, "LOOK", 50)
+    monkeypatch.setattr(watch, "LONG", 50)
+    looks: list[float] = []
+    change = watch.Watch._change
+
+    def counted(self: watch.Watch, run: Any, *args: Any) -> None:
+        looks.append(run.t)
+        change(self, run, *args)
+
+    monkeypatch.setattr(watch.Watch, "_change", counted)
+    motion = system.simulate(5.0, samples=31)
+    assert len(looks) >= 3 and "Radau" not in motion.message
+    assert motion.statistics == plain.statistics
+    assert np.array_equal(motion.x, plain.x) and np.array_equal(motion.v, plain.v)
