@@ -190,11 +190,11 @@ def simulate(
     try:
         found = run.run(progress, _each(keeper, watch))
     except FlexelError as error:
-        kept = explained(_whole(run.kept(str(error)), keeper), why)
+        kept = explained(_whole(run.kept(str(error)), keeper), why, watch.found if watch else "")
         error.motion = Motion(system, kept.since(grid[0]))
         raise
     except KeyboardInterrupt:
-        kept = explained(_whole(run.interrupted(), keeper), why)
+        kept = explained(_whole(run.interrupted(), keeper), why, watch.found if watch else "")
         if keeper is not None:
             keeper.end(kept, run.step)
         raise Interrupted(kept.message, Motion(system, kept.since(grid[0]))) from None

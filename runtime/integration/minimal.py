@@ -69,6 +69,8 @@ class MinimalRun(DenseRun):
     ----------
     method : StepMethod
     touching : TouchingContacts
+    loosest : float
+        The largest of the tolerances that parts of the motion have had.
     """
 
     def __init__(
@@ -82,7 +84,7 @@ class MinimalRun(DenseRun):
         kind: type[StepMethod],
     ) -> None:
         super().__init__(system, start, times, events)
-        self.tolerances = tolerances
+        self.tolerances, self.loosest = tolerances, max(tolerances.rtol, tolerances.largest_atol)
         self.choices = Choices(system, system.kinematics_of(start.roles), rechoose)
         self.counts = {
             "steps": 0,
@@ -144,6 +146,7 @@ class MinimalRun(DenseRun):
         """Continue from here with another method and its tolerances."""
         log.info("t = %.9g s: %s instead of %s", self.t, kind.name, self.name)
         self.tolerances = replace(tolerances, first_step=None)
+        self.loosest = max(self.loosest, tolerances.rtol, tolerances.largest_atol)
         before, self.covered = self.covered, self._scale(kind)
         self.covered.take_over(before)
         self.account.use(kind.quadrature)
@@ -154,7 +157,7 @@ class MinimalRun(DenseRun):
     def onwards(self, kind: type[StepMethod], tolerances: Tolerances) -> MinimalRun:
         """Return another motion that continues from here by a method, to be tried."""
         times, tolerances = np.array([self.t, self.times[-1]]), replace(tolerances, first_step=None)
-        other = MinimalRun(self.system, self.present, times, tolerances, (), True, kind)
+        other = MinimalRun(self.system, self.present, times, tolerances, (), self.choices.free, kind)
         other.covered.take_over(self.covered)
         return other
 
@@ -383,7 +386,7 @@ class MinimalRun(DenseRun):
         moved = max(c.fastest, c.through)
         sizes = moved + c.largest
         finest = self.covered.finest if given.relative else 0.0
-        promised = explained(max(given.rtol, given.largest_atol, finest), steps) * moved
+        promised = explained(max(self.loosest, finest), steps) * moved
         allowed = promised + c.doubt + ROUNDING * max(steps, STEPS) ** 0.5 * sizes
         moves = moved > AT_REST * sizes and self._moves
         when = float(self.times[0]) + c.when

@@ -1,4 +1,4 @@
-"""Looks at a motion that began by DOP853: where Radau is faster it goes on with that, or a warning names a method."""
+"""Looks at a motion by DOP853 or Radau: where the other one is faster it goes on with that, or a warning names it."""
 
 from __future__ import annotations
 
@@ -29,18 +29,18 @@ from flexel.integration.trial import Budget, explicit_evaluations
 from flexel.system import CoreSystem
 
 LOOK = 1000  # steps after which a motion is looked at, and again after twice as many: short motions cost nothing more
-SHARE = 0.02  # of the evaluations so far, that each trial of Radau may take
+SHARE = 0.02  # of the evaluations so far, that each trial of Radau takes, but at least as many as `trial.STEPS` need
 LONG = 5 * LOOK  # steps of a motion that is called long
 
 
 class Watch:
-    """Looks at a motion by DOP853.
+    """Looks at a motion by DOP853, or by Radau if `simulate` has chosen that.
 
     Parameters
     ----------
     system : CoreSystem
     options : Options, optional
-        Those of a motion that may change its method; None where DOP853 was named.
+        Those that the user has given, of a motion that may change its method; None where the method was named.
 
     Attributes
     ----------
@@ -52,19 +52,16 @@ class Watch:
         self.system, self._options = system, options
         self.found = ""
         self._steps, self._next = 0, LOOK
-        self._half = (
-            0.0,
-            0,
-        )  # time [s] and evaluations when half of the steps up to the next look were taken
+        self._half = 0.0, 0  # time [s] and evaluations after half of the steps up to the next look
 
     def __call__(self, run: Run) -> None:
         """Count a step."""
         self._steps += 1
+        if self._steps == self._next:
+            self._look(run)
+            self._next *= 2
         if self._steps == self._next // 2:
             self._half = run.t, run.statistics["evaluations"]
-        elif self._steps == self._next:
-            self._next *= 2
-            self._look(run)
 
     def _look(self, run: Run) -> None:
         """Look at the rest of a motion, which goes on as since half of its steps."""

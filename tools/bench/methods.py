@@ -1,4 +1,4 @@
-"""Radau beside other implicit methods: what an error costs each; `PYTHONPATH=tools python -m bench.methods`.
+"""The methods of flexel beside others: what an error costs each; `PYTHONPATH=tools python -m bench.methods`.
 
 For each model and method the loosest tolerance whose error is at most that asked for, among four in each decade: steps,
 evaluations and milliseconds of thread CPU time.  The error is the largest of any coordinate over the largest range of
@@ -35,7 +35,7 @@ OTHERS = {
     "SUNDIALS' IDA": cvode.by_ida,
     "SUNDIALS' CVODE": cvode.by_cvode,
 }
-METHODS = ("Radau", "generalized-alpha", *OTHERS)
+METHODS = ("DOP853", "Radau", "generalized-alpha", *OTHERS)
 FIRST, LAST = 1, 11  # powers of ten: the loosest and the tightest tolerance
 FINE = 4  # tolerances in a decade
 LONGEST = 10.0  # CPU time [s] after which a method is not asked for more
