@@ -262,7 +262,12 @@ class Run(ABC):
             f"the energy balance of {self.name} fails by {balance.missing:.2g} J of {balance.moved:.3g} J, most at "
             f"t = {balance.when:.6g} s, {balance.missing / balance.allowed:.2g} times what its tolerance explains; "
             "give a smaller rtol and atol, or a max_step, and check what acts there"
+            f"{self.workers_at(balance.when)}"
         )
+
+    def workers_at(self, t: float) -> str:
+        """Name what works most at a time [s], after a colon; empty if nothing does, or nothing is known."""
+        return ""
 
     def contradictions(self) -> list[EventSample]:
         """Return what contradicts the events that were reported."""

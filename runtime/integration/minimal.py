@@ -29,6 +29,7 @@ from flexel.integration.outcome import Integration
 from flexel.integration.segments import DenseOutput, Pending, Step
 from flexel.integration.step_method import Attempted, StepMethod, Tolerances, natural_scales_of_y
 from flexel.integration.touching import TRIALS, TouchingContacts
+from flexel.integration.workers import workers
 from flexel.mechanics.amplification import amplification, lost
 from flexel.mechanics.impulse import struck
 from flexel.mechanics.kinematics import Kinematics
@@ -391,6 +392,14 @@ class MinimalRun(DenseRun):
         moves = moved > AT_REST * sizes and self._moves
         when = float(self.times[0]) + c.when
         return Imbalance(c.farthest if moves else 0.0, moved if moves else 0.0, allowed, when)
+
+    def workers_at(self, t: float) -> str:
+        """Name what works most at the end of the step that ends near a time [s], after a colon."""
+        if not self.stretches:
+            return ""
+        step = min(self.stretches, key=lambda step: abs(step.t1 - t))
+        names = workers(step.kinematics, step.pending(step.t1).state())
+        return f": {names}" if names else ""
 
     def dangers(self) -> list[str]:
         """Describe rounding errors, and positions that are nearly singular at the ends of steps."""

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 from scipy.linalg import qr
-from scipy.sparse import block_array, csr_array, issparse
+from scipy.sparse import block_array, coo_array, csr_array, issparse
 from scipy.sparse.csgraph import connected_components
 
 from flexel.base.arguments import names as checked_names
@@ -138,10 +138,11 @@ def choose_dofs(kinematics: Kinematics, J: Array, dynamic: Index | None, kinemat
     Raises
     ------
     ConstraintError
-        Redundant constraints, or dependent coordinates, by name.
+        Redundant constraints, dependent coordinates, or quantities without derivatives, by name.
     """
     structure, roles = kinematics.structure, kinematics.roles
     nf = structure.nf
+    _check_defined(structure, J)
     if issparse(J):
         return choose_by_blocks(kinematics, J, dynamic, kinematic)
     check_redundancy(structure, roles, J, roles.holonomic, "rigid or prescribed condition(s)")
@@ -154,6 +155,18 @@ def choose_dofs(kinematics: Kinematics, J: Array, dynamic: Index | None, kinemat
     if found.position_rows.size != nf:  # by rounding, the dynamic ones no longer describe all motions
         raise ConstraintError(SINGULAR)
     return found
+
+
+def _check_defined(structure: Structure, J: Array) -> None:
+    """Reject a position in which quantities have no derivatives, such as the elongation of a truss without length."""
+    if np.isfinite(J.sum()):
+        return
+    values: Any = coo_array(J)
+    names = [structure.names[i] for i in np.unique(values.row[~np.isfinite(values.data)])]
+    raise ConstraintError(
+        f"{quoted(names, 4)} cannot be differentiated in this position: points may coincide there; change drawn, "
+        "initial or prescribed values"
+    )
 
 
 def _completed(

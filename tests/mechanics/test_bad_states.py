@@ -2,8 +2,10 @@
 
 import math
 
+import pytest
 from mistakes import Case, check, each, pendulum, system
 
+import flexel as fx
 from flexel.base.errors import ConstraintError, PositionError
 
 STATES = {
@@ -62,3 +64,17 @@ STATES = {
 @each(STATES)
 def test_a_mistake_in_a_state_is_named_with_its_remedy(case: Case) -> None:
     check(case)
+
+
+def test_a_prescribed_motion_that_begins_where_points_coincide_is_named() -> None:
+    """A band whose free end is drawn at 1 m, and prescribed to start at its fixed end: it has no direction there."""
+    m = fx.Model()
+    O, A, B = m.point("O", (0, 0), fixed=True), m.point("A", (1, 0)), m.point("B", (0, 1))
+    m.fix("A.y", "B.x")
+    m.point_mass("mass", A, 1.0)
+    m.truss("band", O, B, stiffness=10.0)
+    m.prescribe("B.y", fx.Polynomial([0.0, 0.5]))
+    with pytest.raises(
+        fx.ConstraintError, match=r"'band\.elongation' cannot be differentiated in this position"
+    ):
+        m.build()

@@ -1,0 +1,43 @@
+"""Who works most at an instant of a motion: laws that take power out, loads, and prescribed motions."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from flexel.base.shown import listed
+from flexel.engine.workspace import Workspace
+from flexel.mechanics.kinematics import Kinematics
+from flexel.model.state import State
+
+WORKERS, LARGE_SHARE = (
+    3,
+    0.1,
+)  # how many are named at most, and the least power of one, relative to the largest
+
+
+def workers(kinematics: Kinematics, state: State) -> str:
+    """Name those with the largest powers at a state, with these; empty if nothing works."""
+    found = sorted(_powers(kinematics, state), key=lambda pair: -pair[1])[:WORKERS]
+    return listed(
+        [f"{name} ({power:.2g} W)" for name, power in found if power and power >= LARGE_SHARE * found[0][1]]
+    )
+
+
+def _powers(kinematics: Kinematics, state: State) -> Iterator[tuple[str, float]]:
+    """Yield what works, and the size of its power [W]."""
+    structure, tables = kinematics.structure, kinematics.evaluation.tables
+    work = Workspace(tables)
+    work.struct.t = state.t
+    work.x[:], work.v[:], work.unwrap_from[:], work.z[:] = state.x, state.v, state.e, state.z
+    work.position()
+    work.rates()
+    work.laws()
+    for i, batch in enumerate(tables.laws):
+        for member, power in zip(batch.members, work.law_P[tables.law.first[i] :], strict=False):
+            yield f"law '{structure.laws[member].name}'", abs(float(power))
+    loads = kinematics.loads
+    for i, force in zip(loads.quantities, loads.values(state.t), strict=True):
+        yield f"load on '{structure.names[i]}'", abs(float(force * state.rates[i]))
+    for i in kinematics.roles.prescribed:
+        name = structure.names[i]
+        yield f"drive of '{name}'", abs(float(state.force(name)) * float(state.rates[i]))
