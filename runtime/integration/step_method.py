@@ -10,6 +10,7 @@ from dataclasses import dataclass
 from enum import Enum, auto
 from functools import cached_property
 from typing import ClassVar, NamedTuple, Protocol
+from weakref import proxy
 
 import numpy as np
 
@@ -179,7 +180,7 @@ class StepMethod(ABC):
     flat = -np.inf  # time [s] of a flat position at which steps were refused
 
     def __init__(self, course: SteppedMotion) -> None:
-        self.course = course
+        self.course: SteppedMotion = proxy(course)  # no cycle: the arrays of a motion are freed with it
 
     @classmethod
     @abstractmethod
