@@ -145,6 +145,8 @@ class MinimalRun(DenseRun):
 
     def use(self, kind: type[StepMethod], tolerances: Tolerances) -> None:
         """Continue from here with another method and its tolerances."""
+        if self.knots.any:
+            self._pass_knots()  # the first step begins beyond one that is here
         log.info("t = %.9g s: %s instead of %s", self.t, kind.name, self.name)
         self.tolerances = replace(tolerances, first_step=None)
         self.loosest = max(self.loosest, tolerances.rtol, tolerances.largest_atol)

@@ -30,7 +30,7 @@ from flexel.system import CoreSystem
 
 LOOK = 1000  # steps after which a motion is looked at, and again after twice as many: short motions cost nothing more
 SHARE = 0.02  # of the evaluations so far, that each trial of Radau takes, but at least as many as `trial.STEPS` need
-LONG = 5 * LOOK  # steps of a motion that is called long
+LONG = 4 * LOOK  # steps that are left of a motion that is called long
 
 
 class Watch:
@@ -67,7 +67,7 @@ class Watch:
         """Look at the rest of a motion, which goes on as since half of its steps."""
         left, (half, before), now = float(run.times[-1]) - run.t, self._half, run.statistics["evaluations"]
         share, steps = left / (run.t - half), self._steps - self._steps // 2
-        if self._steps + share * steps < LONG:
+        if share * steps < LONG:
             return
         if isinstance(run, MinimalRun) and self._options is not None and few(self.system):
             linear = steps * linear_algebra(self.system) if run.name == RADAU else 0.0

@@ -9,6 +9,11 @@ import pytest
 
 import flexel as fx
 from flexel.integration import watch
+from flexel.integration.dop853 import Dop853
+from flexel.integration.minimal import MinimalRun
+from flexel.integration.radau import Radau
+from flexel.integration.simulation import begun
+from flexel.integration.step_method import StepMethod
 
 
 def pressed(stiffness: float, damping: float, force: Any = 10.0) -> fx.System:
@@ -111,3 +116,19 @@ def test_trials_change_nothing_of_the_motion(monkeypatch: pytest.MonkeyPatch) ->
     assert len(looks) >= 3 and "Radau" not in motion.message
     assert motion.statistics == plain.statistics
     assert np.array_equal(motion.x, plain.x) and np.array_equal(motion.v, plain.v)
+
+
+@pytest.mark.parametrize(("first", "second"), [("DOP853", Radau), ("Radau", Dop853)])
+def test_a_method_begins_beyond_a_knot(first: str, second: type[StepMethod]) -> None:
+    """The last step before the change ends at a knot of the force."""
+    t = np.linspace(0, 2, 101)
+    system = pressed(1e4, 1.0, fx.Table(t, 10.0 + 0.1 * (-1.0) ** np.arange(101), kind="linear"))
+    run, _ = begun(system, 2.0, method=first, samples=11)
+    assert isinstance(run, MinimalRun)
+    while run.t < min(0.9, run.knots.end):
+        run.forward()
+    assert run.stop == run.t
+    run.use(second, run.tolerances)
+    motion = fx.Motion(system, run.rest(False))
+    exact = system.simulate(2.0, samples=11, method="DOP853", rtol=1e-11)
+    np.testing.assert_allclose(motion["A.x"], exact["A.x"], atol=1e-8)
