@@ -1,9 +1,9 @@
-"""DOP853 in C with predicted coordinates: step control, and the rules that keep a motion on its branch.
+"""DOP853 in C with predicted coordinates: what becomes of a trial, and the rules that keep a motion on its branch.
 
 The step control is that of SciPy (Hairer, Norsett and Wanner 1993), with three more limits: the error of the
 prediction, the sign of the determinant of the position matrix, which two solutions that meet in a fold have opposite,
 and the distance of the solved coordinates and rates from the predicted ones.  Where these fail, other degrees of
-freedom are chosen.  A step ends where a contact begins or ends.
+freedom are chosen.
 """
 
 from __future__ import annotations
