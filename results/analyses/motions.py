@@ -85,9 +85,10 @@ def simulate(
         twentieth of the motion or that are unstable, of rotations, and knots of tables), and counts as stiff above
         300 degrees of freedom, where no eigenvalues are computed.  Generalized-alpha remains for stiff motions with
         contacts, if a degree of freedom has no inertia, above 1000 degrees of freedom, and above 300 with kinematic
-        coordinates or internal states.  After 1000 steps, 2000 and so on, auto tries the other one of DOP853 and
-        Radau over some steps from there, and goes on with it if it takes less than half the evaluations (a tenth if
-        it uses a looser tolerance).  ``motion.message`` reports the choice and the reason, and later changes.
+        coordinates or internal states.  After 1000 steps, and each time this number has doubled, auto tries the other
+        method (DOP853 or Radau) for at least 60 steps, and continues with it if it needs less than half as many
+        evaluations, or less than a tenth if its tolerance is looser.  ``motion.message`` reports the choice and the
+        reason, and later changes.
     rtol : float, optional
         Local error in one step: DOP853 and Radau, relative to each variable (Radau: to its largest value so far;
         DOP853: of a degree of freedom, to the largest range of a coordinate in this motion so far if that is less),
@@ -186,21 +187,22 @@ def simulate(
     ahead = from_start(begin, grid[grid >= begin.t])
     run = methods.run_of(system, method, begin, ahead, float(duration), options)
     own = replace(options, rtol=rtol, minor=None) if free else None  # not those that a method was chosen with
-    watch = Watch(system, own) if method == EXPLICIT or (own and method == RADAU) else None
+    watch = Watch(system, own)
+    watched = method == EXPLICIT or (free and method == RADAU)
     try:
-        found = run.run(progress, _each(keeper, watch))
+        found = run.run(progress, _each(keeper, watch if watched else None))
     except FlexelError as error:
-        kept = explained(_whole(run.kept(str(error)), keeper), why, watch.found if watch else "")
+        kept = explained(_whole(run.kept(str(error)), keeper), why, watch.found)
         error.motion = Motion(system, kept.since(grid[0]))
         raise
     except KeyboardInterrupt:
-        kept = explained(_whole(run.interrupted(), keeper), why, watch.found if watch else "")
+        kept = explained(_whole(run.interrupted(), keeper), why, watch.found)
         if keeper is not None:
             keeper.end(kept, run.step)
         raise Interrupted(kept.message, Motion(system, kept.since(grid[0]))) from None
     log.info("t = %g s: %s; %s", run.t, found.message, found.statistics)
     found = audited_run(system, run, found, grid[grid >= begin.t])
-    found = explained(_whole(found, keeper), why, watch.found if watch else "")
+    found = explained(_whole(found, keeper), why, watch.found)
     motion = Motion(system, found.since(float(grid[0])))
     if keeper is not None:
         try:

@@ -93,15 +93,19 @@ def _ways(options: Options, is_stiff: bool) -> list[Way]:
     """
     if not is_stiff:
         return [Way(options, CHEAPER)]
-    loose = options if options.rtol is not None else replace(options, rtol=IMPLICIT_RTOL)
+    loose = _loosely(options)
     every = [Way(options, CHEAPER), Way(replace(options, minor=1.0), CHEAPER), Way(loose, 1.0)]
     return [*every, Way(replace(loose, minor=1.0), 1.0)]
 
 
 def later_ways(options: Options) -> list[Way]:
     """Return ways of Radau for the rest of a motion, which has been more accurate so far."""
-    loose = options if options.rtol is not None else replace(options, rtol=IMPLICIT_RTOL)
-    return [Way(options, CHEAPER), Way(replace(loose, minor=1.0), MUCH_CHEAPER)]
+    return [Way(options, CHEAPER), Way(replace(_loosely(options), minor=1.0), MUCH_CHEAPER)]
+
+
+def _loosely(options: Options) -> Options:
+    """Return options with the tolerance of stiff motions, if none is given."""
+    return options if options.rtol is not None else replace(options, rtol=IMPLICIT_RTOL)
 
 
 def cheaper(
@@ -132,10 +136,8 @@ def cheaper(
     for some, factor in ways:
         run = begun(some)
         least = turns * PER_RADIAN * (IMPLICIT_RTOL / run.tolerances.rtol) ** (1 / ORDER)
-        if (
-            least * factor < explicit
-            and implicit_evaluations(run, more, budget, explicit / factor) * factor < explicit
-        ):
+        wanted = explicit / factor
+        if least < wanted and implicit_evaluations(run, more, budget, wanted) < wanted:
             return some
     return None
 

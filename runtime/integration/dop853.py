@@ -140,8 +140,7 @@ class Dop853(StepMethod):
 
     def aim(self, end: float, shortest: float) -> None:
         """Prepare a step that ends at a time [s] at the latest."""
-        self._end, self._wished = end, self.h
-        self._shortest = shortest
+        self._end, self._wished, self._shortest = end, self.h, shortest
         self._rejected, self._careful, self._defect = False, False, np.inf
         self._first_order = self.steps.first_order
 

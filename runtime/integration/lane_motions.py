@@ -205,6 +205,9 @@ class LaneMotions:
         l, steps, method = self._lanes, self._lanes.steps, steps_of(run)
         own = method.steps
         ended = bool(l.doing[lane] == PASSED)
+        covered = run.covered.arrays
+        for name, wide in self._covered.arrays.items():
+            covered[name][:] = wide[..., lane]
         taken, refused = int(l.taken[lane]) + ended, int(l.refused[lane]) + ended * int(l.tries[lane])
         if not ended:
             pairs = [
@@ -214,7 +217,6 @@ class LaneMotions:
                 (steps.w, own.w),
             ]
             pairs += [(getattr(steps, name)[0], getattr(own, name)[0]) for name in STAGES]
-            pairs += [(wide, run.covered.arrays[name]) for name, wide in self._covered.arrays.items()]
             for wide, single in pairs:
                 single[:] = wide[..., lane]
             method.h = float(l.first[lane])
@@ -223,6 +225,7 @@ class LaneMotions:
             sizes = float(l.size[lane]), float(l.fall[lane])
             run.dips.take(run.kinematics, run.t, int(own.struct.sign), *sizes)
         else:
+            covered["sizes"][:] = covered["sizes_new"]
             run.account.accept(float(l.to[lane] - l.t[lane]))
         run.count(taken, refused, lib.FLEXEL_STAGES * (taken + refused))
         self.drop(lane)

@@ -26,7 +26,7 @@ from flexel.integration.driver import DenseRun
 from flexel.integration.events import Event
 from flexel.integration.imbalance import AT_REST, ROUNDING, STEPS, Imbalance, explained
 from flexel.integration.outcome import Integration
-from flexel.integration.segments import DenseOutput, Pending, Step
+from flexel.integration.segments import DenseOutput, Step
 from flexel.integration.step_method import Attempted, StepMethod, Tolerances, natural_scales_of_y
 from flexel.integration.touching import TRIALS, TouchingContacts
 from flexel.integration.workers import workers
@@ -40,10 +40,7 @@ from flexel.model.state import State
 log = logging.getLogger("flexel.simulate")
 SHORTEST = 1e-11  # step, relative to the times, below which the integration stops
 EXTREME = 10.0  # amplification of kept degrees of freedom, relative to the best, that explains an early end
-STILL, LOOKS = (
-    1e-14,
-    20,
-)  # rates, in natural scales, that are rounding errors, and states that are looked at for them
+STILL = 1e-14  # rates, in natural scales, that are rounding errors
 LONGEST_PAUSE = 1024  # steps without another trial to cross a flat position
 PROMISED = 10.0  # tolerances that rounding errors of coordinates may have without a warning
 FAR = 10.0  # distance from the origin, in natural scales, to which rounding errors are attributed
@@ -391,7 +388,7 @@ class MinimalRun(DenseRun):
         finest = self.covered.finest if given.relative else 0.0
         promised = explained(max(self.loosest, finest), steps) * moved
         allowed = promised + c.doubt + ROUNDING * max(steps, STEPS) ** 0.5 * sizes
-        moves = moved > AT_REST * sizes and self._moves
+        moves = moved > AT_REST * sizes and self.covered.fastest > STILL
         when = float(self.times[0]) + c.when
         return Imbalance(c.farthest if moves else 0.0, moved if moves else 0.0, allowed, when)
 
@@ -436,21 +433,6 @@ class MinimalRun(DenseRun):
             "holds them, so that forces lose digits, and the branch of the motion may depend on rounding: change "
             "dimensions so that the parts that line up there do so exactly, or clearly not, or end the motion earlier"
         ]
-
-    @property
-    def _moves(self) -> bool:
-        """Whether rates are more than rounding errors, as far as it is known, or at some of the stored states."""
-        if self.covered.fastest > STILL or self._is_moving(self.now.v):
-            return True
-        some = self.result.states.some(np.linspace(1, 0, LOOKS).tolist())
-        return any(
-            self._is_moving(state.moment.v if isinstance(state, Pending) else state.v) for state in some
-        )
-
-    def _is_moving(self, v: Array) -> bool:
-        """Whether rates are more than rounding errors."""
-        weight = self.kinematics.lists.step_weight
-        return bool((np.abs(v[: weight.size]) * weight).max(initial=0.0) > STILL)
 
     def trouble(self, why: str) -> str:
         """Explain what may be wrong where the integration cannot continue."""

@@ -5,14 +5,11 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from flexel.base.shown import listed
-from flexel.engine.workspace import Workspace
 from flexel.mechanics.kinematics import Kinematics
 from flexel.model.state import State
 
-WORKERS, LARGE_SHARE = (
-    3,
-    0.1,
-)  # how many are named at most, and the least power of one, relative to the largest
+WORKERS = 3  # named at most
+LARGE_SHARE = 0.1  # least power of one that is named, relative to the largest
 
 
 def workers(kinematics: Kinematics, state: State) -> str:
@@ -26,11 +23,7 @@ def workers(kinematics: Kinematics, state: State) -> str:
 def _powers(kinematics: Kinematics, state: State) -> Iterator[tuple[str, float]]:
     """Yield what works, and the size of its power [W]."""
     structure, tables = kinematics.structure, kinematics.evaluation.tables
-    work = Workspace(tables)
-    work.struct.t = state.t
-    work.x[:], work.v[:], work.unwrap_from[:], work.z[:] = state.x, state.v, state.e, state.z
-    work.position()
-    work.rates()
+    work = kinematics.evaluation.at(state.t, state.x, state.v, None, state.z, state.e)
     work.laws()
     for i, batch in enumerate(tables.laws):
         for member, power in zip(batch.members, work.law_P[tables.law.first[i] :], strict=False):

@@ -176,3 +176,21 @@ def test_an_interrupt_keeps_the_motions_that_are_done(monkeypatch: pytest.Monkey
     done = [i for i in range(14) if i not in found.failed]
     assert 1 <= len(done) <= 11 and all("interrupted" in message for message in found.failed.values())
     assert np.isfinite(found["pivot.angle"][done]).all()
+
+
+def test_a_motion_in_a_lane_warns_of_what_it_warns_alone(seen: Counter[str]) -> None:
+    """A vibration of 10 nm in a model of 1 m, from rest: coordinates are rounded to 2e-7 of a step."""
+    m = fx.Model()
+    O, A = m.point("O", (0, 0), fixed=True), m.point("A", (1, 0))
+    m.fix("A.y")
+    m.truss("spring", O, A, stiffness=1.0)
+    m.point_mass("mass", A, 1.0)
+    m.initial("spring.elongation", 1e-8)
+    system, masses = m.build(), np.linspace(1.0, 1.2, 8)
+    with pytest.warns(fx.AuditWarning, match="small beside the model"):
+        system.simulate(1.0, method="DOP853", samples=5)
+    with pytest.warns(fx.AuditWarning, match="8 of 8 variants, number 0 first: .* small beside the model"):
+        system.simulate_many(
+            1.0, parameters={"mass.mass": masses}, outputs=["A.x"], method="DOP853", samples=5, threads=1
+        )
+    assert seen["entered"] == 8
