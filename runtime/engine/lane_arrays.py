@@ -210,6 +210,7 @@ class LaneRun(LaneStruct):
         rules: Mapping[str, float],
         control: StepControl,
         touching: Sequence[int],
+        gaps: Sequence[int],
     ) -> None:
         super().__init__(ffi.new("flexel_lanes *"))
         c, s = self.struct, work.struct
@@ -223,6 +224,7 @@ class LaneRun(LaneStruct):
         self.value, self.rate, self.rest = (
             self.wide(name, len(touching)) for name in ("value", "rate", "rest")
         )
+        c.gaps, c.ngaps = self.integers(np.array(gaps, dtype=np.int32)), len(gaps)
         for name, value in rules.items():
             setattr(c, name, value)
         control.give(c.control)

@@ -44,6 +44,10 @@ typedef struct {
     const int *touching;
     int ntouching;
     double *value, *rate, *rest;
+    /* Gaps of contacts that a step may not pass, and the depth that does not matter; see passed.py. */
+    const int *gaps;
+    int ngaps;
+    double least;
 } flexel_lanes;
 
 /* Take steps until a lane passes the time of its own, at the latest at the end, or stops. The step that passes it is still

@@ -16,11 +16,12 @@ from flexel.engine.coordinate_work import CoordinateWork
 from flexel.engine.covered import Covered
 from flexel.engine.step_control import StepControl
 from flexel.integration.account import of_dop853
+from flexel.integration.attempts import Attempted
 from flexel.integration.dense import Allowed, Interpolant
 from flexel.integration.dop853_stages import B
 from flexel.integration.dop853_steps import Steps
 from flexel.integration.flat import crossing_step, flat_position
-from flexel.integration.step_method import RESOLUTION, Attempted, Found, StepMethod, Tolerances
+from flexel.integration.step_method import RESOLUTION, Found, StepMethod, Tolerances
 from flexel.model.snapshot import Snapshot
 from flexel.model.structure import Structure
 

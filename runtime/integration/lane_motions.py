@@ -97,9 +97,11 @@ class LaneMotions:
                 "unamplified": rules.UNAMPLIFIED,
                 "atol": given.largest_atol,
                 "dip": float(lib.FLEXEL_DIP),
+                "least": run.passed.least,
             },
             own.control,
             run.touching.rows.tolist(),
+            run.passed.rows.tolist(),
         )
         self._roles = kinematics.roles
 

@@ -12,6 +12,7 @@ from flexel.base.arguments import step_limit, vector
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.integration.alpha import AlphaStepper
+from flexel.integration.alpha_attempts import Control
 from flexel.integration.dop853 import Dop853
 from flexel.integration.driver import Run
 from flexel.integration.events import Event
@@ -19,7 +20,7 @@ from flexel.integration.followed import Followed
 from flexel.integration.minimal import MinimalRun
 from flexel.integration.radau import Radau
 from flexel.integration.step_method import MINOR, StepMethod, Tolerances
-from flexel.integration.steps import Control, GeneralizedAlpha
+from flexel.integration.steps import GeneralizedAlpha
 from flexel.integration.stiffness import ALPHA, EXPLICIT, RADAU
 from flexel.mechanics.amplification import amplification, lost
 from flexel.mechanics.inertia import InertiaError

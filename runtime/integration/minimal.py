@@ -16,9 +16,11 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError, FlexelError
+from flexel.engine.contact_selection import every_gap
 from flexel.engine.covered import Covered
 from flexel.integration.account import Account
 from flexel.integration.across import Crossing
+from flexel.integration.attempts import Attempted, search
 from flexel.integration.branch import REFUSED, WORSE, Choices
 from flexel.integration.carried import Carried
 from flexel.integration.dips import Dips
@@ -27,8 +29,8 @@ from flexel.integration.events import Event
 from flexel.integration.imbalance import AT_REST, ROUNDING, STEPS, Imbalance, explained
 from flexel.integration.outcome import Integration
 from flexel.integration.segments import DenseOutput, Step
-from flexel.integration.step_method import Attempted, StepMethod, Tolerances, natural_scales_of_y
-from flexel.integration.touching import TRIALS, TouchingContacts
+from flexel.integration.step_method import StepMethod, Tolerances, natural_scales_of_y
+from flexel.integration.touching import TouchingContacts
 from flexel.integration.workers import workers
 from flexel.mechanics.amplification import amplification, lost
 from flexel.mechanics.impulse import struck
@@ -94,7 +96,9 @@ class MinimalRun(DenseRun):
         }
         self.amplification = 1.0
         self.account = Account(kind.quadrature)
-        self.dips, self.touching = Dips(), TouchingContacts(self.kinematics.evaluation.work.tables)
+        self.dips = Dips()
+        tables = self.kinematics.evaluation.work.tables
+        self.touching = TouchingContacts(tables, every_gap(tables), self.passed)
         self._pause, self._next_crossing = 1, 0  # steps
         self.covered = self._scale(kind)
         self.method: StepMethod = kind(self)
@@ -183,25 +187,19 @@ class MinimalRun(DenseRun):
 
     def advance(self) -> str | None:
         """Take one accepted step."""
-        method, trials, shortest = self.method, TRIALS, self.shortest
+        method, shortest = self.method, self.shortest
         method.aim(self.latest, shortest)
         while True:
-            trial = method.attempt()
-            if trial is Attempted.FOUND:
-                last, trials = method.end(), trials - 1
-                until = self.touching.until(self.now, last) if trials else 0.0
-                if until <= shortest:
-                    ended = self._accept_found(last)
-                    if trials < TRIALS - 1:  # the step was cut
-                        self._looks.forget()
-                    return ended
-                method.cut(until)
-                self.counts["rejected"] += 1
-            elif trial is Attempted.UNUSABLE:
-                trial = method.refuse(self._change_refused())
-            if trial is Attempted.SHORT:
+            found = search(method, self.touching, self.now, shortest, self._change_refused)
+            self.counts["rejected"] += found.cuts
+            if found.last is not None:
+                ended = self._accept_found(found.last)
+                if found.cuts:
+                    self._looks.forget()
+                return ended
+            if found.trial is Attempted.SHORT:
                 return self.carry_or_stop(method.stopped())
-            if trial is Attempted.FLAT and (steps := self.across(method.flat)):
+            if steps := self.across(method.flat):
                 return self.carry(steps)
 
     # -- steps that are taken in a lane, see lane_motions.py -------------------------------------------

@@ -1,20 +1,26 @@
-"""Contacts that were passed within one step: open at both of its ends, closed in between."""
+"""Contacts that are passed within one step: open at both of its ends, closed in between."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
-from scipy.optimize import minimize_scalar
+from scipy.optimize import brentq, minimize_scalar
 
-from flexel.base.arrays import Index
+from flexel.base.arrays import Array, Index
 from flexel.engine.contact_selection import free_gaps
 from flexel.engine.evaluate import Evaluation
-from flexel.integration.contact_watch import lowest_bound, negligible
+from flexel.engine.workspace import Workspace
+from flexel.mechanics.kinematics import size_of
 from flexel.mechanics.states import between
 from flexel.model.snapshot import Snapshot
 
+DEPTH = 1e-6  # depth of a contact that does not matter, relative to the size of the model
+CLOSE = (
+    1e-9  # share of a step, at its ends, in which a contact may begin or end: it shifts the rates by as much
+)
 EXACT = 1e-4  # of the time of the minimum of a gap, relative to the step
 LOOKS = 12  # at a gap, for its minimum in a step
 NONE: Index = np.zeros(0, dtype=np.intp)
@@ -41,11 +47,12 @@ class Passage:
 
 
 class Passages:
-    """Looks for contacts that were passed, in steps as they are taken or afterwards.
+    """Looks for contacts that are passed, in steps as they are taken or afterwards.
 
-    The coordinates are interpolated between the ends of a step, and the gaps are those of the interpolated position:
-    where the force of the contact was not felt, the path is smooth.  The contacts of ropes are left out: their
-    neighbours hold them.
+    The gap to a convex body is a convex function of time, except for the accelerations: it is at least as large as both
+    tangents at the ends of a step, see `lowest_bound`.  Where these meet below zero, the step is looked into: the
+    coordinates are interpolated between its ends, and the gap is that of the interpolated position.  Where the force of
+    the contact was not felt, the path is smooth.  The contacts of ropes are left out: their neighbours hold them.
 
     Parameters
     ----------
@@ -56,40 +63,80 @@ class Passages:
     found : list of Passage
     any : bool
         Whether there are contacts.
+    rows : ndarray of int
+        Their gaps.
+    least : float
+        Depth [m] that does not matter.
     """
 
     def __init__(self, evaluation: Evaluation) -> None:
         self._evaluation = evaluation
         contacts = "gap" in evaluation.structure.kinds
-        self._rows = free_gaps(evaluation.tables) if contacts else NONE
-        self.any = bool(self._rows.size)
-        self._least = negligible(evaluation.structure) if self.any else 0.0
+        self.rows = free_gaps(evaluation.tables) if contacts else NONE
+        self.any = bool(self.rows.size)
+        self.least = DEPTH * size_of(evaluation.structure) if self.any else 0.0
         self.found: list[Passage] = []
         self._looked = 0
+
+    @cached_property
+    def _work(self) -> Workspace:
+        """A workspace of its own: that of the motion holds the point at which it is."""
+        return Workspace(self._evaluation.tables)
+
+    def until(self, first: Snapshot, last: Snapshot, sees_inside: bool) -> float:
+        """Return when a step must end that would pass a contact; infinite if it passes none.
+
+        That is when the contact begins.  Where it begins at the start of the step, it is when the gap is smallest.
+
+        Parameters
+        ----------
+        first, last : Snapshot
+            The ends of the step.
+        sees_inside : bool
+            Whether its method feels forces within a step.  Otherwise a contact that is closed at the start, and still
+            approached there, must not be open at the end.
+        """
+        if not self.any:
+            return np.inf
+        g0, r0, g1, r1 = (part[self.rows] for part in _ends(first, last))
+        begun = self.rows[:0] if sees_inside else self.rows[(g0 <= 0) & (r0 < 0) & (g1 > 0)]
+        lowest = lowest_bound(g0, r0, g1, r1, last.t - first.t)
+        times = [self._begin(first, last, int(row)) for row in self.rows[lowest < -self.least]]
+        times += [_deepest(self._gap(first, last, int(row)), first, last)[0] for row in begun]
+        return min(times, default=np.inf)
 
     def look(self, steps: Iterable[tuple[Snapshot, Snapshot]]) -> None:
         """Look into steps, given by their ends."""
         ends = list(steps) if self.any else []
         if not ends:
             return
-        rows = self._rows
         g0, r0, g1, r1 = (
-            np.array([part[rows] for part in column])
-            for column in zip(*((a.e, a.ed, b.e, b.ed) for a, b in ends), strict=True)
+            np.array([part[self.rows] for part in column])
+            for column in zip(*(_ends(*z) for z in ends), strict=True)
         )
-        h = np.array([[b.t - a.t] for a, b in ends])
-        turned = (g0 > 0) & (g1 > 0) & (r0 < 0) & (r1 > 0)
-        lowest = np.full(turned.shape, np.inf)
-        where = np.nonzero(turned)
-        lowest[where] = lowest_bound((g0[where], g1[where]), (r0[where], r1[where]), h[where[0], 0])
-        for step, contact in zip(*np.nonzero(lowest < -self._least), strict=True):
+        h = np.array([[last.t - first.t] for first, last in ends])
+        lowest = lowest_bound(g0, r0, g1, r1, h)
+        for step, contact in zip(*np.nonzero(lowest < -self.least), strict=True):
             if self._looked < MOST:
                 self._looked += 1
                 first, last = ends[int(step)]
-                self._look_into(first, last, int(rows[contact]))
+                row = int(self.rows[contact])
+                t, gap = _deepest(self._gap(first, last, row), first, last)
+                if gap < -self.least:
+                    self.found.append(Passage(self._evaluation.structure.names[row], t, -gap))
 
-    def _look_into(self, first: Snapshot, last: Snapshot, row: int) -> None:
-        work = self._evaluation.work
+    def _begin(self, first: Snapshot, last: Snapshot, row: int) -> float:
+        """Return when a step must end that may pass a contact, which is open at its start."""
+        gap = self._gap(first, last, row)
+        t, lowest = _deepest(gap, first, last)
+        if lowest >= -self.least:
+            return np.inf
+        begin = float(brentq(gap, first.t, t))
+        return begin if begin - first.t > CLOSE * (last.t - first.t) else t
+
+    def _gap(self, first: Snapshot, last: Snapshot, row: int) -> Callable[[float], float]:
+        """Return a gap as a function of time within a step."""
+        work = self._work
 
         def gap(t: float) -> float:
             guess = between(first, last, t)
@@ -97,15 +144,44 @@ class Passages:
             work.position()
             return float(work.e[row])
 
-        found = minimize_scalar(
-            gap,
-            bounds=(first.t, last.t),
-            method="bounded",
-            options={"maxiter": LOOKS, "xatol": EXACT * (last.t - first.t)},
-        )
-        if found.fun < -self._least:
-            name = self._evaluation.structure.names[row]
-            self.found.append(Passage(name, float(found.x), -float(found.fun)))
+        return gap
+
+
+def _ends(first: Snapshot, last: Snapshot) -> tuple[Array, Array, Array, Array]:
+    """Return deformations and their rates at both ends of a step."""
+    return first.e, first.ed, last.e, last.ed
+
+
+def _deepest(gap: Callable[[float], float], first: Snapshot, last: Snapshot) -> tuple[float, float]:
+    """Return when a gap is smallest in a step, and that gap."""
+    found = minimize_scalar(
+        gap,
+        bounds=(first.t, last.t),
+        method="bounded",
+        options={"maxiter": LOOKS, "xatol": EXACT * (last.t - first.t)},
+    )
+    return float(found.x), float(found.fun)
+
+
+def lowest_bound(g0: Array, r0: Array, g1: Array, r1: Array, h: Array | float) -> Array:
+    """Intersect the tangents of gaps at both ends of a step: lower bounds where they fall first and rise then.
+
+    Infinite where a gap is closed at an end, or its tangents do not turn.  The tangents are steepened by what
+    accelerations do in half a step: where a body is passed head-on, the rates at both ends would be opposite without
+    them.
+
+    Parameters
+    ----------
+    g0, r0, g1, r1 : ndarray (...,)
+        Gaps and their rates at the beginning and at the end of the step [m, m/s].
+    h : ndarray or float
+        Length of the step [s].
+    """
+    steeper = np.abs(r0 + r1) / 2
+    first, last = r0 - steeper, r1 + steeper
+    turned = (g0 > 0) & (g1 > 0) & (first < 0) & (last > 0)
+    fall = np.where(turned, last - first, 1.0)
+    return np.where(turned, (last * g0 - first * g1 + first * last * h) / fall, np.inf)
 
 
 def warning(found: list[Passage]) -> str:

@@ -18,10 +18,11 @@ from flexel.engine.finite import TangentError
 from flexel.engine.step_control import StepControl
 from flexel.generated._kernels import lib
 from flexel.integration.account import of_radau
+from flexel.integration.attempts import Attempted
 from flexel.integration.jacobian import jacobian
 from flexel.integration.radau_saddle import SaddleFactors, sparse
 from flexel.integration.radau_steps import FINEST, Collocation, estimated
-from flexel.integration.step_method import Attempted, Found, StepMethod, Tolerances
+from flexel.integration.step_method import Found, StepMethod, Tolerances
 from flexel.model.snapshot import Snapshot
 from flexel.model.structure import Structure
 

@@ -5,9 +5,8 @@ The motion owns time, degrees of freedom and results, see minimal.py; a method o
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
+from abc import abstractmethod
 from dataclasses import dataclass
-from enum import Enum, auto
 from functools import cached_property
 from typing import ClassVar, NamedTuple, Protocol
 from weakref import proxy
@@ -20,6 +19,7 @@ from flexel.engine.coordinate_work import CoordinateWork
 from flexel.engine.covered import Covered
 from flexel.engine.step_control import StepControl
 from flexel.integration.account import Account, Quadrature
+from flexel.integration.attempts import Attempts
 from flexel.integration.branch import Choices
 from flexel.integration.knots import Knots
 from flexel.integration.segments import DenseOutput
@@ -66,16 +66,6 @@ def natural_scales_of_y(kinematics: Kinematics) -> Array:
     """Return natural scales of y = (q, q_d', z): those of rates are per second, those of internal states one."""
     roles, scales = kinematics.roles, kinematics.scales
     return np.concatenate([scales(roles.dofs), scales(roles.dynamic), np.ones(kinematics.structure.nz)])
-
-
-class Attempted(Enum):
-    """What became of a trial to take a step."""
-
-    FOUND = auto()  # the step can be accepted
-    AGAIN = auto()  # another is prepared
-    UNUSABLE = auto()  # it cannot be evaluated or trusted: other degrees of freedom may be better
-    FLAT = auto()  # it shows a flat position, see `StepMethod.flat`; another is prepared
-    SHORT = auto()  # it would be too short
 
 
 class Found(NamedTuple):
@@ -165,7 +155,7 @@ class SteppedMotion(Protocol):
         ...
 
 
-class StepMethod(ABC):
+class StepMethod(Attempts):
     """Steps of a motion.
 
     Parameters
@@ -219,26 +209,6 @@ class StepMethod(ABC):
     def jump(self) -> None:
         """Continue from the present position, where internal states have jumped."""
         self.restart()
-
-    @abstractmethod
-    def aim(self, end: float, shortest: float) -> None:
-        """Prepare a step that ends at a time [s] at the latest; a shorter one than `shortest` [s] is too short."""
-
-    @abstractmethod
-    def attempt(self) -> Attempted:
-        """Try the step that is prepared; nothing is accepted yet."""
-
-    @abstractmethod
-    def refuse(self, changed: bool) -> Attempted:
-        """Prepare a shorter step after one that was of no use, perhaps in other degrees of freedom."""
-
-    @abstractmethod
-    def end(self) -> Snapshot:
-        """Return the point at the end of the step that was found."""
-
-    @abstractmethod
-    def cut(self, h: float) -> None:
-        """Prepare a step of length h [s] instead of the one that was found: a contact begins or ends there."""
 
     @abstractmethod
     def accept(self, last: Snapshot) -> Found:

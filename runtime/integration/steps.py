@@ -1,26 +1,26 @@
-"""Runs of the generalized-alpha method: step control and energy balance."""
+"""Motions by the generalized-alpha method, with their energy balance."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError
-from flexel.engine.step_control import StepControl
 from flexel.integration.alpha import AlphaStepper
+from flexel.integration.alpha_attempts import NEAR, AlphaAttempts, Control
+from flexel.integration.attempts import search
 from flexel.integration.balance import Balance
 from flexel.integration.between import between
-from flexel.integration.contact_watch import DEEP, ContactWatch
 from flexel.integration.driver import Run, ended_by
 from flexel.integration.energy_balance import EnergyBalance
 from flexel.integration.events import Event
 from flexel.integration.imbalance import AT_REST, Imbalance
 from flexel.integration.outcome import Integration
 from flexel.integration.replay import Replay, Replayed
+from flexel.integration.touching import TouchingContacts
 from flexel.mechanics import dynamics
 from flexel.mechanics.impulse import struck
 from flexel.mechanics.inertia import InertiaError
@@ -30,30 +30,6 @@ from flexel.system import CoreSystem
 
 SHORTEST = 1e-10  # shortest step, over the duration
 LOST = 0.01  # of the energy of a motion that its method may take out or add without a warning
-NEAR = 1e-6  # distance of a time from the end of a step, relative to it, that is rounding
-CONTROL = StepControl(order=3, most=2.0, steady=1.3)  # every change of the step disturbs the multipliers
-MOST_FALSE, MOST_HALVINGS = 8, 4  # step halvings because of spurious energy, and because of new contacts
-
-
-@dataclass(frozen=True)
-class Control:
-    """Parameters of the step control.
-
-    Attributes
-    ----------
-    tolerance : float
-        Local error of coordinates and internal states over the size of the motion; infinite for steps of constant
-        length.
-    first, longest : float
-        Steps [s].
-    absolute : float
-        Local error of the coordinates in their natural scales that is always allowed.
-    """
-
-    tolerance: float
-    first: float
-    longest: float
-    absolute: float = 0.0
 
 
 class GeneralizedAlpha(Run):
@@ -62,6 +38,8 @@ class GeneralizedAlpha(Run):
     Attributes
     ----------
     stepper : AlphaStepper
+    now : Snapshot
+        The current point of the motion.
     replay : Replay
         Takes its steps again, for the states within them.
     energy_balance : EnergyBalance
@@ -90,18 +68,14 @@ class GeneralizedAlpha(Run):
         duration = float(times[-1] - times[0])
         self.shortest = SHORTEST * duration
         self.control = control
-        if math.isfinite(control.tolerance):
+        if not control.constant:
             self.stepper.expect(start, duration, control.tolerance, control.absolute)
-        self._watch = ContactWatch(self.stepper.work, math.isinf(control.tolerance))
-        self._unwatched = self.passed.any and not self._watch.any
-        self._begun: Snapshot | None = None  # the current point, if contacts are not watched
-        self._steps = self._rejected = self._at_contact = self._halvings = self._false = 0
-        self._wish = min(control.first, control.longest)
-        self._refused = (0.0, 0.0)  # length and error of a trial that was refused for its internal states
-        self._constant = math.isinf(
-            control.tolerance
-        )  # steps then end at multiples of their length from here on
-        self._anchor, self._multiple = start.t, 0
+        self._attempts = AlphaAttempts(stepper, self.energy_balance, control)
+        of = stepper.work.tables, self._attempts.gaps, self.passed
+        self._touching = TouchingContacts(*of, sees_inside=False)
+        self._steps = self._cuts = 0
+        self.now = Snapshot.of(start)
+        self._anchor, self._multiple = start.t, 0  # from where constant steps are counted
 
     @property
     def t(self) -> float:
@@ -111,13 +85,12 @@ class GeneralizedAlpha(Run):
     @property
     def step(self) -> float | None:
         """The length of the next step [s]."""
-        return self._wish
+        return self._attempts.wish
 
     @property
     def instant(self) -> tuple[Snapshot, Array]:
         """Coordinates, rates and deformations at the current time, and internal states of laws."""
-        state = self.present
-        return Snapshot.of(state), state.z
+        return self.now, self.stepper.stepping.old["z"]
 
     @property
     def present(self) -> State:
@@ -152,7 +125,6 @@ class GeneralizedAlpha(Run):
     def renew(self) -> None:
         """Compute accelerations with the changed loads; leave them if a degree of freedom has no inertia."""
         old, state = self.stepper.stepping.old, self.result.states[-1]
-        self._begun = None
         kinematics = self.stepper.system.kinematics_of(state.roles)
         now = self.t
         try:
@@ -179,9 +151,8 @@ class GeneralizedAlpha(Run):
         self.replay.part()
         old = self.stepper.stepping.old
         kinematics = self.stepper.system.kinematics_of(self.result.states[-1].roles)
-        x, v, e = (old[name].copy() for name in ("x", "v", "e"))
-        before = Snapshot(self.t, x, v, e, np.zeros_like(e))
-        old["v"][:] = struck(kinematics, before, self.knots.inside(self.t)).v
+        self.now = struck(kinematics, self.now, self.knots.inside(self.t))
+        old["v"][:] = self.now.v
         self.renew()
         self.balance()
         self.energy_balance.strike()
@@ -192,8 +163,8 @@ class GeneralizedAlpha(Run):
         c = self.stepper.numbers
         return {
             "steps": self._steps,
-            "rejected": self._rejected,
-            "halved at contact": self._at_contact,
+            "rejected": self._attempts.rejected + self._cuts,
+            "halved at contact": self._attempts.at_contact,
             "evaluations": c.evaluations,
             "iterations": c.iterations,
             "factorizations": c.factorizations,
@@ -234,48 +205,35 @@ class GeneralizedAlpha(Run):
 
     def advance(self) -> str | None:
         """Take one accepted step, or that up to a terminal event within it."""
-        stepper, now, until = self.stepper, self.t, self._goal()
-        if self._watch.any:
-            self._watch.note(self.balance().a)
-        first = self._start() if self._unwatched else None
-        step = self._found(until - now)
-        end = now + step
-        if abs(end - until) < NEAR * step:
-            end = until
+        attempts, begun, constant = self._attempts, self.t, self.control.constant
+        attempts.aim(self._goal(), self.shortest)
+        cut = np.inf if constant else self.shortest  # constant steps are taken as they are given
+        found = search(attempts, self._touching, self.now, cut, _none)
+        if found.last is None:
+            raise self.failure()
+        attempts.accept()
+        self._steps += 1
+        self._cuts += found.cuts
+        end = found.last.t
         terminal = self._met(end) if self.events else None
+        if found.cuts:
+            self._looks.forget()  # forces have a kink at its end
         if terminal is not None:
             end = terminal[1].t
-            self._shorten(end - now)
-        if self._constant:
-            end = self._keep_within(end, end - now)
+            self._shorten(end - begun)
+        if constant:
+            end = self._keep_within(end, end - begun)
         self.replay.add(end, self.knots.interval)
-        stepper.accept(end)
-        if first is not None:
-            self._begun = self._moment()
-            self.passed.look([(first, self._begun)])
-        self.energy_balance.add(end - now)
+        self.stepper.accept(end)
+        if constant or not found.whole:
+            self.passed.look([(self.now, found.last)])
+        self.now = found.last if end == found.last.t else replace(found.last, t=end)
+        self.energy_balance.add(end - begun)
         if terminal is not None:
             return self._end_at(*terminal)
         if self.t >= self.until:
             self.keep()
         return None
-
-    def _found(self, gap: float) -> float:
-        """Find a step that divides a gap [s], or a shorter one; return its length, and wish for that of the next."""
-        parts = max(math.ceil(gap / min(self._wish, self.control.longest) * (1 - 1e-9)), 1)
-        step = asked = gap / parts
-        while (error := self._error(step)) > 1.0:
-            self._rejected += 1
-            step *= CONTROL.shorter(error)
-            if step < self.shortest:
-                raise self.failure()
-        self._steps += 1
-        self._refused = (0.0, 0.0)
-        allowed = step * CONTROL.longer(error)
-        self._wish = max(allowed, self._wish) if step == asked else allowed
-        if step == asked:
-            self._halvings, self._false = max(self._halvings - 1, 0), max(self._false - 1, 0)
-        return step
 
     def _replayed(self, t0: float, t1: float) -> Replayed:
         """Return a stretch of the motion, or its present step, with the states within it."""
@@ -295,6 +253,7 @@ class GeneralizedAlpha(Run):
     def _end_at(self, event: Event, state: State) -> str:
         """End the motion at a terminal event, with its state; return the message."""
         self.stepper.begin(state)
+        self.now = Snapshot.of(state)
         self.replay.part()
         self.result.states.append(state)
         self.energy_balance.keep()
@@ -302,7 +261,7 @@ class GeneralizedAlpha(Run):
 
     def _goal(self) -> float:
         """When the next step ends at the latest [s]: where a state is stored, but for constant steps at their ends."""
-        if not self._constant:
+        if not self.control.constant:
             return min(self.until, self.latest)
         stop = self.stop
         h = self.control.longest
@@ -320,52 +279,7 @@ class GeneralizedAlpha(Run):
             self.result.states.append(between(self.replay, self.energy_balance, self.t, self.until))
         return self.until if self.until < end + NEAR * step else end
 
-    def _start(self) -> Snapshot:
-        """Return the current point, from the last step if it is known."""
-        if self._begun is None:
-            self.balance()
-            self._begun = self._moment()
-        return self._begun
 
-    def _moment(self) -> Snapshot:
-        """Return the point in the workspace, at the current time."""
-        x, v, e, w = (getattr(self.stepper.work, name).copy() for name in ("x", "v", "e", "w"))
-        return Snapshot(self.t, x, v, e, w[: e.size])
-
-    def _error(self, h: float) -> float:
-        """Local error of a step over the tolerance; infinite if the step is not found or is rejected: for a spurious
-        solution, or if a new contact is too deep.
-        """
-        stepper, balance = self.stepper, self.energy_balance
-        if not stepper.step(h):
-            stepper.check_inertia()
-            return math.inf
-        balance.look()
-        if self._false < MOST_FALSE and balance.spurious(h):
-            self._false += 1
-            return math.inf
-        if self._watch.any and (self._watch.skipped(h) or self._watch.rough(lambda: stepper.local_errors(h))):
-            self._at_contact += 1
-            return math.inf
-        if self._halvings < MOST_HALVINGS:
-            begun = balance.new_penetration()
-            if begun and stepper.numbers.local_size > DEEP * begun:
-                self._halvings += 1
-                self._at_contact += 1
-                return math.inf
-        coordinates = float(stepper.numbers.local_error) / self.control.tolerance
-        return max(coordinates, self._error_of_states(h)) if coordinates <= 1.0 else coordinates
-
-    def _error_of_states(self, h: float) -> float:
-        """Return the same of the internal states; a rate that jumps in the step, as when a bristle slides, passes.
-
-        The error of a smooth rate falls with the third power of the step, and with the second in the first step of a
-        motion, that of a jump with the first. Shorter steps would not find the jump.
-        """
-        error = float(self.stepper.numbers.state_error) / self.control.tolerance
-        if error <= 1.0:
-            return error
-        before, larger = self._refused
-        jump = h < before and error > larger * (h / before) ** 1.5
-        self._refused = (h, error)
-        return 1.0 if jump else error
+def _none() -> bool:
+    """Whether other degrees of freedom are better: the method takes steps in all coordinates."""
+    return False

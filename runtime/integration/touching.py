@@ -1,4 +1,4 @@
-"""Ends steps where contacts, stops and tyres begin and end to act."""
+"""Ends steps where contacts, stops and tyres begin and end to act: one finder for all methods."""
 
 from __future__ import annotations
 
@@ -9,28 +9,29 @@ from scipy.optimize import brentq
 
 from flexel.base.arrays import Array, Index
 from flexel.derive.spec import TermSpec
-from flexel.engine.contact_selection import every_gap
 from flexel.engine.tables import Tables
+from flexel.integration.passed import CLOSE, Passages
 from flexel.model.snapshot import Snapshot
 
-CLOSE = (
-    1e-9  # share of a step, at its ends, in which a contact may begin or end: it shifts the rates by as much
-)
-BEYOND = (
-    1e-10  # the same, by which a step ends past that instant, so that the next one begins on the other side
-)
-TRIALS = 8  # of one step
+BEYOND = 1e-10  # share of a step, by which it ends past such an instant, so that the next one begins on the other side
 
 
 class TouchingContacts:
     """Finds where a gap changes its sign within a step, or what is zero where a law begins to act (`Law.begins`).
 
     The estimates of the error of a step hold for smooth forces.  Those of a contact have a finite order at the
-    instant at which it begins or ends, and the error may be much larger than the estimate.  So a step ends there.
+    instant at which it begins or ends, and the error may be much larger than the estimate.  So a step ends there, and
+    where a contact begins that would be open again at its end.
 
     Parameters
     ----------
     tables : Tables
+    gaps : ndarray of int
+        Gaps that end steps.
+    passages : Passages
+        Finds contacts that are passed.
+    sees_inside : bool
+        Whether the method feels forces within a step.
 
     Attributes
     ----------
@@ -40,8 +41,8 @@ class TouchingContacts:
         value e + rate e' + rest is zero there.
     """
 
-    def __init__(self, tables: Tables) -> None:
-        gaps = every_gap(tables)
+    def __init__(self, tables: Tables, gaps: Index, passages: Passages, sees_inside: bool = True) -> None:
+        self._passages, self._sees_inside = passages, sees_inside
         still = np.zeros(gaps.size)
         found = [(gaps, still + 1.0, still, still), *_begins(tables)]
         self.rows: Index = np.concatenate([rows for rows, *_ in found])
@@ -60,6 +61,12 @@ class TouchingContacts:
         if not self.rows.size:
             return 0.0
         h = last.t - first.t
+        passed = (self._passages.until(first, last, self._sees_inside) - first.t) / h
+        share = min(self._crossing(first, last, h), passed if passed > CLOSE else 1.0)
+        return h * (share + BEYOND) if share < 1 - CLOSE else 0.0
+
+    def _crossing(self, first: Snapshot, last: Snapshot, h: float) -> float:
+        """Return the share of a step of length h after which the first of them changes its sign; one if none does."""
         e, r0, r1 = first.e[self.rows], h * first.ed[self.rows], h * last.ed[self.rows]
         rise = last.e[self.rows] - e
         # e + r0 s + a s² + b s³ for the part s of the step; the rate at its end is left out where it does not count: a
@@ -72,8 +79,7 @@ class TouchingContacts:
         )
         crossed = np.flatnonzero(g[3] * (((g[0] + g[1]) + g[2]) + g[3]) < 0)
         shares = [float(brentq(_cubic, 0.0, 1.0, args=tuple(g[:, i].tolist()))) for i in crossed]
-        share = min((s for s in shares if s > CLOSE), default=1.0)
-        return h * (share + BEYOND) if share < 1 - CLOSE else 0.0
+        return min((s for s in shares if s > CLOSE), default=1.0)
 
 
 def _begins(tables: Tables) -> Iterator[tuple[Index, Array, Array, Array]]:

@@ -1,4 +1,4 @@
-"""Explicit steps end where a contact, a stop or a tyre begins and ends to act: forces are smooth within each."""
+"""Steps end where a contact, a stop or a tyre begins and ends to act: forces are smooth within each."""
 
 from collections.abc import Callable
 
@@ -89,6 +89,19 @@ def test_bounces_keep_to_the_tolerance(name: str, rtol: float) -> None:
     error = np.abs(found - [bounced(t) - bounced(0.0) for t in motion.t])
     assert found.min() < -HEIGHT
     assert error.max() < 20 * rtol * np.ptp(found)
+
+
+@pytest.mark.parametrize("rtol", [1e-3, 1e-4, 1e-5, 1e-6])
+@pytest.mark.parametrize("name", MODELS)
+@pytest.mark.filterwarnings("ignore::flexel.DampingWarning")  # of 5 %, at rtol = 1e-3
+def test_bounces_by_generalized_alpha_have_errors_of_second_order(name: str, rtol: float) -> None:
+    """Ten bounces: 30 rtol^(2/3) of the range, since local errors are of third order; up to 200 where steps went on."""
+    make, height = MODELS[name]
+    motion = make().build().simulate(3.0, rtol=rtol, method="generalized-alpha")
+    found = motion[height] - motion[height][0]
+    error = np.abs(found - [bounced(t) - bounced(0.0) for t in motion.t])
+    assert found.min() < -HEIGHT
+    assert error.max() < 30 * rtol ** (2 / 3) * np.ptp(found)
 
 
 def test_the_level_of_a_stop_is_that_of_the_variant() -> None:
