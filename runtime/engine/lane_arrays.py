@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 
 from flexel.base.arrays import Array
+from flexel.engine.contact_look import ContactLook
 from flexel.engine.coordinate_work import TOLERANCE, CoordinateLists, CoordinateWork
 from flexel.engine.covered import Covered, ranges
 from flexel.engine.lane_workspace import LaneWorkspace
@@ -185,6 +187,30 @@ class LaneSteps(LaneStruct):
         return array[: size * LANES].reshape(-1, LANES)
 
 
+class LaneLook(LaneStruct):
+    """Whether a step must end earlier for a contact, in eight motions; see `ContactLook`.
+
+    Parameters
+    ----------
+    struct : cffi struct
+    own : ContactLook
+        That of one of the motions.
+
+    Attributes
+    ----------
+    value, rate, rest : ndarray (k, 8)
+    """
+
+    def __init__(self, struct: Any, own: ContactLook) -> None:
+        super().__init__(struct)
+        self._own = own  # keeps the places, which are those of all motions
+        for name in ("rows", "nrows", "gaps", "ngaps", "least", "sees_inside"):
+            setattr(struct, name, getattr(own.struct, name))
+        self.value, self.rate, self.rest = (
+            self.wide(name, own.value.size) for name in ("value", "rate", "rest")
+        )
+
+
 class LaneRun(LaneStruct):
     """Eight motions, each in a lane with its own time and step.
 
@@ -198,8 +224,7 @@ class LaneRun(LaneStruct):
         See lanes.h.
     v, e, w : ndarray (…, 8)
         Rates of coordinates, deformations and their rates at the start of the steps.
-    value, rate, rest : ndarray (k, 8)
-        Of the deformations `touching`; see lanes.h.
+    look : LaneLook
     """
 
     def __init__(
@@ -209,8 +234,7 @@ class LaneRun(LaneStruct):
         steps: LaneSteps,
         rules: Mapping[str, float],
         control: StepControl,
-        touching: Sequence[int],
-        gaps: Sequence[int],
+        look: ContactLook,
     ) -> None:
         super().__init__(ffi.new("flexel_lanes *"))
         c, s = self.struct, work.struct
@@ -220,11 +244,7 @@ class LaneRun(LaneStruct):
         c.U0 = self.pointer(work.U0)
         self.wide("accept", 1)
         self.v, self.e, self.w = self.wide("v", s.n), self.wide("e", s.m), self.wide("w", s.m)
-        c.touching, c.ntouching = self.integers(np.array(touching, dtype=np.int32)), len(touching)
-        self.value, self.rate, self.rest = (
-            self.wide(name, len(touching)) for name in ("value", "rate", "rest")
-        )
-        c.gaps, c.ngaps = self.integers(np.array(gaps, dtype=np.int32)), len(gaps)
+        self.look = LaneLook(c.touching, look)
         for name, value in rules.items():
             setattr(c, name, value)
         control.give(c.control)

@@ -7,8 +7,9 @@
 #ifndef FLEXEL_LANES_H
 #define FLEXEL_LANES_H
 
-#include "step_control.h"
 #include "runge_kutta.h"
+#include "step_control.h"
+#include "touching.h"
 
 /* cdef: begin */
 /* What a lane is doing: nothing, taking steps, waiting for what its step is to be used for, or stopped before its step. */
@@ -39,15 +40,7 @@ typedef struct {
     double *size, *size_new, *fall;
     double *U0; /* potential of body forces that are linear in the coordinates, where these are zero; of each lane */
     flexel_account *accounts[8]; /* energy balances of the motions, or NULL */
-    /* value e + rate e' + rest of some deformations e, whose sign may not change within a step: a contact or the force of a
-     * law begins or ends there; coefficients of each lane */
-    const int *touching;
-    int ntouching;
-    double *value, *rate, *rest;
-    /* Gaps of contacts that a step may not pass, and the depth that does not matter; see passed.py. */
-    const int *gaps;
-    int ngaps;
-    double least;
+    flexel_touching touching; /* coefficients of each lane */
 } flexel_lanes;
 
 /* Take steps until a lane passes the time of its own, at the latest at the end, or stops. The step that passes it is still

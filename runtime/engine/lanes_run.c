@@ -41,32 +41,11 @@ static int suspicious(const flexel_lanes *l, const flexel_trial *trial, size_t i
     return trial->changed[i] || !(trial->defect_v[i] <= l->exact * (trial->error_v[i] + allowed));
 }
 
-/* Whether a contact, or the force of a law, begins or ends in a step. */
+/* Whether a contact, or the force of a law, begins or ends in a step, or a contact may have been passed. */
 static int touches(const flexel_lanes *l, size_t i)
 {
-    for (int k = 0; k < l->ntouching; k++) {
-        const size_t at = (size_t)l->touching[k] * FLEXEL_BLOCK + i, own = (size_t)k * FLEXEL_BLOCK + i;
-        const double value = l->value[own], rate = l->rate[own], rest = l->rest[own];
-        const double before = value * l->e[at] + rate * l->w[at] + rest;
-        if (before * (value * l->work->e[at] + rate * l->work->w[at] + rest) < 0)
-            return 1;
-    }
-    return 0;
-}
-
-/* Whether a step may have passed a contact: the tangents of a gap meet below zero, as in passed.py. */
-static int passes(const flexel_lanes *l, size_t i)
-{
-    const double h = l->to[i] - l->t[i];
-    for (int k = 0; k < l->ngaps; k++) {
-        const size_t at = (size_t)l->gaps[k] * FLEXEL_BLOCK + i;
-        const double before = l->e[at], after = l->work->e[at], fall = l->w[at], rise = l->work->w[at];
-        const double steeper = fabs(fall + rise) / 2, first = fall - steeper, last = rise + steeper;
-        if (before > 0 && after > 0 && first < 0 && last > 0 &&
-            (last * before - first * after + first * last * h) / (last - first) < -l->least)
-            return 1;
-    }
-    return 0;
+    const double *e = l->work->e, *w = l->work->w;
+    return flexel_touching_look(&l->touching, l->e, l->w, e, w, l->to[i] - l->t[i], FLEXEL_BLOCK, i);
 }
 
 /* Whether a step may have passed a flat position, as in dips.py: the determinant falls in it, or fell in the step before. */
@@ -126,7 +105,7 @@ static int advance(flexel_lanes *l)
     flexel_lanes_amplification(l);
     for (size_t i = 0; i < FLEXEL_BLOCK; i++) {
         if (l->doing[i] == FLEXEL_RUNNING && conclude(l, &trial, i)) {
-            if (touches(l, i) || passes(l, i) || dips(l, i)) {
+            if (touches(l, i) || dips(l, i)) {
                 l->doing[i] = FLEXEL_STOPPED;
             } else if (l->to[i] >= l->until[i]) {
                 l->doing[i] = FLEXEL_PASSED;

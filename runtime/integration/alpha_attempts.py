@@ -17,7 +17,7 @@ from flexel.model.snapshot import Snapshot
 
 NEAR = 1e-6  # distance of a time from the end of a step, relative to it, that is rounding
 CONTROL = StepControl(order=3, most=2.0, steady=1.3)  # every change of the step disturbs the multipliers
-DEEP = 0.1  # error of a gap, relative to the depth of its contact, above which a step is shortened
+DEEP = 0.03  # error of a gap, relative to the depth of its contact, above which a step is shortened
 MOST_FALSE, MOST_HALVINGS = 8, 4  # step halvings because of spurious energy, and because of new contacts
 
 

@@ -97,18 +97,16 @@ class LaneMotions:
                 "unamplified": rules.UNAMPLIFIED,
                 "atol": given.largest_atol,
                 "dip": float(lib.FLEXEL_DIP),
-                "least": run.passed.least,
             },
             own.control,
-            run.touching.rows.tolist(),
-            run.passed.rows.tolist(),
+            run.touching.look,
         )
         self._roles = kinematics.roles
 
     def enter(self, lane: int, run: MinimalRun) -> None:
         """Put a motion that has begun into a lane."""
         l, method = self._lanes, steps_of(run)
-        s, touching = method.steps, run.touching
+        s, look = method.steps, run.touching.look
         choice = s.choice
         l.work.load(lane, choice.work)
         steps, now = l.steps, run.now
@@ -120,9 +118,9 @@ class LaneMotions:
             (l.v, now.v),
             (l.e, now.e),
             (l.w, now.ed),
-            (l.value, touching.value),
-            (l.rate, touching.rate),
-            (l.rest, touching.rest),
+            (l.look.value, look.value),
+            (l.look.rate, look.rate),
+            (l.look.rest, look.rest),
         ):
             wide[:, lane] = own
         for name in STAGES:

@@ -83,7 +83,7 @@ class Passages:
         """A workspace of its own: that of the motion holds the point at which it is."""
         return Workspace(self._evaluation.tables)
 
-    def until(self, first: Snapshot, last: Snapshot, sees_inside: bool) -> float:
+    def until(self, first: Snapshot, last: Snapshot, sees_inside: bool, close: float = CLOSE) -> float:
         """Return when a step must end that would pass a contact; infinite if it passes none.
 
         That is when the contact begins.  Where it begins at the start of the step, it is when the gap is smallest.
@@ -95,13 +95,13 @@ class Passages:
         sees_inside : bool
             Whether its method feels forces within a step.  Otherwise a contact that is closed at the start, and still
             approached there, must not be open at the end.
+        close : float
+            Share of the step, at its start, in which a contact may begin.
         """
-        if not self.any:
-            return np.inf
         g0, r0, g1, r1 = (part[self.rows] for part in _ends(first, last))
         begun = self.rows[:0] if sees_inside else self.rows[(g0 <= 0) & (r0 < 0) & (g1 > 0)]
         lowest = lowest_bound(g0, r0, g1, r1, last.t - first.t)
-        times = [self._begin(first, last, int(row)) for row in self.rows[lowest < -self.least]]
+        times = [self._begin(first, last, int(row), close) for row in self.rows[lowest < -self.least]]
         times += [_deepest(self._gap(first, last, int(row)), first, last)[0] for row in begun]
         return min(times, default=np.inf)
 
@@ -125,14 +125,14 @@ class Passages:
                 if gap < -self.least:
                     self.found.append(Passage(self._evaluation.structure.names[row], t, -gap))
 
-    def _begin(self, first: Snapshot, last: Snapshot, row: int) -> float:
+    def _begin(self, first: Snapshot, last: Snapshot, row: int, close: float) -> float:
         """Return when a step must end that may pass a contact, which is open at its start."""
         gap = self._gap(first, last, row)
         t, lowest = _deepest(gap, first, last)
         if lowest >= -self.least:
             return np.inf
         begin = float(brentq(gap, first.t, t))
-        return begin if begin - first.t > CLOSE * (last.t - first.t) else t
+        return begin if begin - first.t > close * (last.t - first.t) else t
 
     def _gap(self, first: Snapshot, last: Snapshot, row: int) -> Callable[[float], float]:
         """Return a gap as a function of time within a step."""

@@ -20,7 +20,7 @@ from flexel.integration.events import Event
 from flexel.integration.imbalance import AT_REST, Imbalance
 from flexel.integration.outcome import Integration
 from flexel.integration.replay import Replay, Replayed
-from flexel.integration.touching import TouchingContacts
+from flexel.integration.touching import TouchingContacts, abrupt_gaps
 from flexel.mechanics import dynamics
 from flexel.mechanics.impulse import struck
 from flexel.mechanics.inertia import InertiaError
@@ -71,8 +71,8 @@ class GeneralizedAlpha(Run):
         if not control.constant:
             self.stepper.expect(start, duration, control.tolerance, control.absolute)
         self._attempts = AlphaAttempts(stepper, self.energy_balance, control)
-        of = stepper.work.tables, self._attempts.gaps, self.passed
-        self._touching = TouchingContacts(*of, sees_inside=False)
+        tables = stepper.work.tables
+        self._touching = TouchingContacts(tables, abrupt_gaps(tables), self.passed, sees_inside=False)
         self._steps = self._cuts = 0
         self.now = Snapshot.of(start)
         self._anchor, self._multiple = start.t, 0  # from where constant steps are counted

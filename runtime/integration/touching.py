@@ -9,11 +9,20 @@ from scipy.optimize import brentq
 
 from flexel.base.arrays import Array, Index
 from flexel.derive.spec import TermSpec
+from flexel.engine.batches import Batch
+from flexel.engine.contact_look import PASSES, TOUCHES, ContactLook
+from flexel.engine.contact_selection import free_gaps
 from flexel.engine.tables import Tables
 from flexel.integration.passed import CLOSE, Passages
 from flexel.model.snapshot import Snapshot
 
-BEYOND = 1e-10  # share of a step, by which it ends past such an instant, so that the next one begins on the other side
+BEYOND = (
+    1e-10  # share of a step, by which it ends past such an instant: the next one begins on the other side
+)
+ROUGHLY = (
+    1e-3  # the same as CLOSE for a method of order two: rates are off by the square of the time across a kink
+)
+HERTZ = 1.5  # exponent of a force, that of Hertz, across whose beginning steps of order two are as exact as others
 
 
 class TouchingContacts:
@@ -37,18 +46,18 @@ class TouchingContacts:
     ----------
     rows : ndarray of int (k,)
         Deformations that are gaps, or with which laws begin to act.
-    value, rate, rest : ndarray (k,)
-        value e + rate e' + rest is zero there.
+    look : ContactLook
+        Says in which steps something happens.
     """
 
     def __init__(self, tables: Tables, gaps: Index, passages: Passages, sees_inside: bool = True) -> None:
         self._passages, self._sees_inside = passages, sees_inside
+        self._close = CLOSE if sees_inside else ROUGHLY
         still = np.zeros(gaps.size)
         found = [(gaps, still + 1.0, still, still), *_begins(tables)]
         self.rows: Index = np.concatenate([rows for rows, *_ in found])
-        self.value, self.rate, self.rest = (
-            np.concatenate(part) for part in list(zip(*found, strict=True))[1:]
-        )
+        value, rate, rest = (np.concatenate(part) for part in list(zip(*found, strict=True))[1:])
+        self.look = ContactLook(self.rows, (value, rate, rest), passages.rows, passages.least, sees_inside)
 
     def until(self, first: Snapshot, last: Snapshot) -> float:
         """Return the step [s] up to the first contact that begins or ends within a step; zero if there is none.
@@ -58,42 +67,61 @@ class TouchingContacts:
         first, last : Snapshot
             At its ends.
         """
-        if not self.rows.size:
+        if not self.look.any:
             return 0.0
         h = last.t - first.t
-        passed = (self._passages.until(first, last, self._sees_inside) - first.t) / h
-        share = min(self._crossing(first, last, h), passed if passed > CLOSE else 1.0)
-        return h * (share + BEYOND) if share < 1 - CLOSE else 0.0
+        happens = self.look(first.e, first.ed, last.e, last.ed, h)
+        shares = self._crossings(first, last, h) if happens & TOUCHES else []
+        if happens & PASSES:
+            passed = self._passages.until(first, last, self._sees_inside, self._close)
+            shares.append((passed - first.t) / h)
+        share = min((share for share in shares if share > self._close), default=1.0)
+        return h * (share + BEYOND) if share < 1 - self._close else 0.0
 
-    def _crossing(self, first: Snapshot, last: Snapshot, h: float) -> float:
-        """Return the share of a step of length h after which the first of them changes its sign; one if none does."""
+    def _crossings(self, first: Snapshot, last: Snapshot, h: float) -> list[float]:
+        """Return the shares of a step of length h after which they change their signs."""
+        look = self.look
         e, r0, r1 = first.e[self.rows], h * first.ed[self.rows], h * last.ed[self.rows]
         rise = last.e[self.rows] - e
         # e + r0 s + a s² + b s³ for the part s of the step; the rate at its end is left out where it does not count: a
         # stiff contact that has begun within the step has changed it
-        b = np.where(self.rate == 0, 0.0, r0 + r1 - 2 * rise)
+        b = np.where(look.rate == 0, 0.0, r0 + r1 - 2 * rise)
         a = rise - r0 - b
-        own, along = self.value, self.rate / h
+        own, along = look.value, look.rate / h
         g = np.array(
-            [own * b, own * a + 3 * along * b, own * r0 + 2 * along * a, own * e + along * r0 + self.rest]
+            [own * b, own * a + 3 * along * b, own * r0 + 2 * along * a, own * e + along * r0 + look.rest]
         )
         crossed = np.flatnonzero(g[3] * (((g[0] + g[1]) + g[2]) + g[3]) < 0)
-        shares = [float(brentq(_cubic, 0.0, 1.0, args=tuple(g[:, i].tolist()))) for i in crossed]
-        return min((s for s in shares if s > CLOSE), default=1.0)
+        return [float(brentq(_cubic, 0.0, 1.0, args=tuple(g[:, i].tolist()))) for i in crossed]
+
+
+def abrupt_gaps(tables: Tables) -> Index:
+    """Return the indices in e of gaps, except along ropes, whose forces begin more abruptly than with `HERTZ`."""
+    abrupt = np.ones(tables.structure.m, dtype=bool)
+    for batch, p in zip(tables.laws, tables.parameters[1], strict=True):
+        columns = _columns(batch, p)
+        if ("exponent", 0) in columns:
+            abrupt[batch.places["e"][:, 0]] = columns["exponent", 0] < HERTZ
+    gaps = free_gaps(tables)
+    return gaps[abrupt[gaps]]
 
 
 def _begins(tables: Tables) -> Iterator[tuple[Index, Array, Array, Array]]:
     """Yield the first deformations of laws that begin to act somewhere, and the coefficients of what is zero there."""
     for batch, p in zip(tables.laws, tables.parameters[1], strict=True):  # p: the parameters of a variant
-        components = [(q.name, component) for q in batch.spec.parameters for component in range(q.size)]
         for begin in batch.spec.begins:
-            rows = batch.places["e"][:, 0]
-            values = np.swapaxes(p, 1, 2).reshape(-1, p.shape[1])[: rows.size]
-            columns = dict(zip(components, values.T, strict=True))
+            rows, columns = batch.places["e"][:, 0], _columns(batch, p)
             value, rate, rest = (
                 _sum(terms, columns, rows.size) for terms in (begin.value, begin.rate, begin.rest)
             )
             yield rows, value, rate, rest
+
+
+def _columns(batch: Batch, p: Array) -> dict[tuple[str, int], Array]:
+    """Return the values (size,) of the components of parameters of a batch, from its blocks (blocks, parameters, 8)."""
+    components = [(q.name, component) for q in batch.spec.parameters for component in range(q.size)]
+    values = np.swapaxes(p, 1, 2).reshape(-1, p.shape[1])[: batch.size]
+    return dict(zip(components, values.T, strict=True))
 
 
 def _sum(terms: Sequence[TermSpec], columns: dict[tuple[str, int], Array], size: int) -> Array:

@@ -109,7 +109,7 @@ def test_no_ball_falls_through_a_thin_bar(method: str, height: float) -> None:
 @pytest.mark.parametrize("height", [0.6153846153846154, 0.773, 1.455, 1.591, 1.7692307692307694, 2.0])
 @pytest.mark.parametrize("rtol", [1e-3, 1e-4])
 @pytest.mark.parametrize("method", ["generalized-alpha", "DOP853", "Radau"])
-@pytest.mark.filterwarnings("ignore::flexel.DampingWarning")  # of 1 to 5 %, at these tolerances
+@pytest.mark.filterwarnings("ignore::flexel.DampingWarning")  # of 1 to 3 %, at these tolerances
 def test_nor_through_a_bar_that_is_thinner_than_the_tolerance(
     method: str, rtol: float, height: float
 ) -> None:
@@ -117,7 +117,7 @@ def test_nor_through_a_bar_that_is_thinner_than_the_tolerance(
     motion = above_a_bar(height, 0.001).simulate(1.0, samples=11, method=method, rtol=rtol)
     assert motion["ball.y"].min() > 0
     total = motion.energy["total"]
-    assert np.abs(total - total[0]).max() < 0.1 * 9.81 * height
+    assert np.abs(total - total[0]).max() < 0.04 * 9.81 * height
 
 
 def test_a_ball_that_comes_to_rest_behind_a_bar_has_passed_it() -> None:
