@@ -6,6 +6,7 @@ import numpy as np
 
 from flexel.base.arrays import Array, Index
 from flexel.engine.structs import Struct
+from flexel.engine.workspace import Workspace
 from flexel.generated._kernels import ffi, lib
 
 TOUCHES, PASSES = lib.FLEXEL_TOUCHES, lib.FLEXEL_PASSES
@@ -31,6 +32,8 @@ class ContactLook(Struct):
     ----------
     any : bool
         Whether there is anything to look at.
+    passed : ndarray of uint8
+        Whether each of the gaps may have been passed in the last step.
     """
 
     def __init__(
@@ -48,21 +51,21 @@ class ContactLook(Struct):
         c.value, c.rate, c.rest = (self.pointer(array) for array in coefficients)
         c.gaps, c.ngaps = self.integers(gaps.astype(np.int32)), gaps.size
         c.least, c.sees_inside = least, sees_inside
+        self.passed = np.zeros(gaps.size, dtype=np.uint8)
+        c.passed = ffi.from_buffer("unsigned char[]", self.passed)
         self.any = bool(rows.size or gaps.size)
 
-    def __call__(self, e0: Array, w0: Array, e1: Array, w1: Array, h: float) -> int:
+    def __call__(self, first: tuple[Array, Array, Array], x1: Array, end: Workspace, h: float) -> int:
         """Return what may happen in a step of length h [s]: TOUCHES, PASSES, both, or zero.
 
         Parameters
         ----------
-        e0, w0, e1, w1 : ndarray (m,)
-            Deformations and their rates at the start and at the end.
+        first : tuple of ndarray (n,), (m,), (m,)
+            Coordinates, deformations and their rates at the start.
+        x1 : ndarray (n,)
+            Coordinates at the end.
+        end : Workspace
+            It holds the end.
         """
-        numbers = ffi.from_buffer
-        ends = (
-            numbers("double[]", e0),
-            numbers("double[]", w0),
-            numbers("double[]", e1),
-            numbers("double[]", w1),
-        )
-        return int(lib.flexel_touching_look(self.struct, *ends, h, 1, 0))
+        x0, e0, w0, x1 = (ffi.from_buffer("double[]", array) for array in (*first, x1))
+        return int(lib.flexel_touching_look(self.struct, end.struct, x0, e0, w0, x1, h, 1, 0))

@@ -204,7 +204,7 @@ class LaneLook(LaneStruct):
     def __init__(self, struct: Any, own: ContactLook) -> None:
         super().__init__(struct)
         self._own = own  # keeps the places, which are those of all motions
-        for name in ("rows", "nrows", "gaps", "ngaps", "least", "sees_inside"):
+        for name in ("rows", "nrows", "gaps", "ngaps", "least", "sees_inside"):  # `passed` is of one motion
             setattr(struct, name, getattr(own.struct, name))
         self.value, self.rate, self.rest = (
             self.wide(name, own.value.size) for name in ("value", "rate", "rest")

@@ -44,8 +44,9 @@ static int suspicious(const flexel_lanes *l, const flexel_trial *trial, size_t i
 /* Whether a contact, or the force of a law, begins or ends in a step, or a contact may have been passed. */
 static int touches(const flexel_lanes *l, size_t i)
 {
-    const double *e = l->work->e, *w = l->work->w;
-    return flexel_touching_look(&l->touching, l->e, l->w, e, w, l->to[i] - l->t[i], FLEXEL_BLOCK, i);
+    const flexel_dop853 *steps = l->steps;
+    const double h = l->to[i] - l->t[i];
+    return flexel_touching_look(&l->touching, l->work, steps->x, l->e, l->w, steps->x_new, h, FLEXEL_BLOCK, i);
 }
 
 /* Whether a step may have passed a flat position, as in dips.py: the determinant falls in it, or fell in the step before. */

@@ -10,6 +10,7 @@ import numpy as np
 
 from flexel.engine.contact_selection import every_gap, free_gaps
 from flexel.engine.step_control import StepControl
+from flexel.engine.workspace import Workspace
 from flexel.integration.alpha import AlphaStepper
 from flexel.integration.attempts import Attempted, Attempts
 from flexel.integration.energy_balance import EnergyBalance
@@ -106,6 +107,11 @@ class AlphaAttempts(Attempts):
         end, work = self.stepper.t + self._h, self.stepper.work
         t = self._end if abs(end - self._end) < NEAR * self._h else end
         return Snapshot(t, work.x.copy(), work.v.copy(), work.e.copy(), work.w[: work.e.size].copy())
+
+    @property
+    def work(self) -> Workspace:
+        """The workspace that holds that point."""
+        return self.stepper.work
 
     def cut(self, h: float) -> None:
         """Prepare a step of length h [s] instead of the one that was found, whose length the next one may have."""

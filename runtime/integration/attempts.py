@@ -7,6 +7,7 @@ from collections.abc import Callable
 from enum import Enum, auto
 from typing import NamedTuple
 
+from flexel.engine.workspace import Workspace
 from flexel.integration.touching import TouchingContacts
 from flexel.model.snapshot import Snapshot
 
@@ -42,6 +43,11 @@ class Attempts(ABC):
     def end(self) -> Snapshot:
         """Return the point at the end of the step that was found."""
 
+    @property
+    @abstractmethod
+    def work(self) -> Workspace:
+        """The workspace that holds that point."""
+
     @abstractmethod
     def cut(self, h: float) -> None:
         """Prepare a step of length h [s] instead of the one that was found: a contact begins or ends there."""
@@ -60,12 +66,15 @@ class Searched(NamedTuple):
         How often it was cut short for a contact.
     whole : bool
         Whether no contact begins, ends or is passed within it, as far as it was looked for.
+    kink : bool
+        Whether forces change their law at its end: a contact begins or ends there.
     """
 
     trial: Attempted
     last: Snapshot | None = None
     cuts: int = 0
     whole: bool = True
+    kink: bool = False
 
 
 def search(
@@ -94,12 +103,12 @@ def search(
         if trial is not Attempted.FOUND:
             return Searched(trial, cuts=cuts)
         last = attempts.end()
-        until = touching.until(first, last)
+        until = touching.until(first, last, attempts.work)
         if until <= shortest:
-            return Searched(trial, last, cuts)
+            return Searched(trial, last, cuts, kink=cuts > 0 or touching.touched)
         if cuts + 1 < TRIALS:
             attempts.cut(until)
-    return Searched(trial, last, cuts, whole=False)
+    return Searched(trial, last, cuts, whole=False, kink=True)
 
 
 def _tried(attempts: Attempts, other: Callable[[], bool]) -> Attempted:

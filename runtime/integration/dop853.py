@@ -194,7 +194,7 @@ class Dop853(StepMethod):
         self._rejected = True
         return Attempted.FLAT if shows else Attempted.AGAIN
 
-    def accept(self, last: Snapshot) -> Found:
+    def accept(self, last: Snapshot, kink: bool) -> Found:
         """Continue from the end of the step that was found."""
         course, s, first = self.course, self.steps, self.course.now
         self._lengthen(last.t - first.t)

@@ -193,7 +193,7 @@ class MinimalRun(DenseRun):
             found = search(method, self.touching, self.now, shortest, self._change_refused)
             self.counts["rejected"] += found.cuts
             if found.last is not None:
-                ended = self._accept_found(found.last)
+                ended = self._accept_found(found.last, found.kink)
                 if found.cuts:
                     self._looks.forget()
                 return ended
@@ -287,14 +287,15 @@ class MinimalRun(DenseRun):
             else choices.kinematics
         )
 
-    def _accept_found(self, last: Snapshot) -> str | None:
-        """Store the step that was found, up to a point, and consider other degrees of freedom there.
+    def _accept_found(self, last: Snapshot, kink: bool) -> str | None:
+        """Store the step that was found, up to a point where forces may change their law, and consider other degrees of
+        freedom there.
 
         A step that has passed a flat position is replaced by those of `across`, if there are any.
         """
         first, method = self.now, self.method
         self.amplification = method.placed.amplification()
-        dense, z = method.accept(last)
+        dense, z = method.accept(last, kink)
         flat = self.dips.passed(self.kinematics, first, last, method.placed)
         if flat is not None and (steps := self.across(flat)):
             return self.carry(steps)

@@ -21,8 +21,11 @@ DEPTH = 1e-6  # depth of a contact that does not matter, relative to the size of
 CLOSE = (
     1e-9  # share of a step, at its ends, in which a contact may begin or end: it shifts the rates by as much
 )
-EXACT = 1e-4  # of the time of the minimum of a gap, relative to the step
-LOOKS = 12  # at a gap, for its minimum in a step
+EXACT = 1e-7  # of the time of the minimum of a gap, relative to the step
+LOOKS = 50  # at a gap, for its minimum in a step
+UNSURE = (
+    0.1  # gap in a step, relative to the larger one at its ends, and share of the step: not known exactly
+)
 NONE: Index = np.zeros(0, dtype=np.intp)
 MOST = 200  # steps that are looked into: the first ones that may have passed a contact
 
@@ -49,10 +52,9 @@ class Passage:
 class Passages:
     """Looks for contacts that are passed, in steps as they are taken or afterwards.
 
-    The gap to a convex body is a convex function of time, except for the accelerations: it is at least as large as both
-    tangents at the ends of a step, see `lowest_bound`.  Where these meet below zero, the step is looked into: the
-    coordinates are interpolated between its ends, and the gap is that of the interpolated position.  Where the force of
-    the contact was not felt, the path is smooth.  The contacts of ropes are left out: their neighbours hold them.
+    A step that may pass a contact is looked into: the coordinates are interpolated between its ends, and the gap is
+    that of the interpolated position.  Where the force of the contact was not felt, the path is smooth.  The contacts
+    of ropes are left out: their neighbours hold them.
 
     Parameters
     ----------
@@ -83,27 +85,21 @@ class Passages:
         """A workspace of its own: that of the motion holds the point at which it is."""
         return Workspace(self._evaluation.tables)
 
-    def until(self, first: Snapshot, last: Snapshot, sees_inside: bool, close: float = CLOSE) -> float:
-        """Return when a step must end that would pass a contact; infinite if it passes none.
+    def until(self, first: Snapshot, last: Snapshot, gaps: Index, close: float = CLOSE) -> float:
+        """Return when a step must end that may pass contacts; infinite if it passes none.
 
-        That is when the contact begins.  Where it begins at the start of the step, it is when the gap is smallest.
+        That is when a contact begins.  Where it begins at the start of the step, it is when the gap is smallest.
 
         Parameters
         ----------
         first, last : Snapshot
             The ends of the step.
-        sees_inside : bool
-            Whether its method feels forces within a step.  Otherwise a contact that is closed at the start, and still
-            approached there, must not be open at the end.
+        gaps : ndarray of int
+            Of these contacts.
         close : float
             Share of the step, at its start, in which a contact may begin.
         """
-        g0, r0, g1, r1 = (part[self.rows] for part in _ends(first, last))
-        begun = self.rows[:0] if sees_inside else self.rows[(g0 <= 0) & (r0 < 0) & (g1 > 0)]
-        lowest = lowest_bound(g0, r0, g1, r1, last.t - first.t)
-        times = [self._begin(first, last, int(row), close) for row in self.rows[lowest < -self.least]]
-        times += [_deepest(self._gap(first, last, int(row)), first, last)[0] for row in begun]
-        return min(times, default=np.inf)
+        return min(self._begin(first, last, int(row), close) for row in gaps)
 
     def look(self, steps: Iterable[tuple[Snapshot, Snapshot]]) -> None:
         """Look into steps, given by their ends."""
@@ -126,13 +122,16 @@ class Passages:
                     self.found.append(Passage(self._evaluation.structure.names[row], t, -gap))
 
     def _begin(self, first: Snapshot, last: Snapshot, row: int, close: float) -> float:
-        """Return when a step must end that may pass a contact, which is open at its start."""
-        gap = self._gap(first, last, row)
+        """Return when a step must end that may pass a contact."""
+        gap, h = self._gap(first, last, row), last.t - first.t
         t, lowest = _deepest(gap, first, last)
-        if lowest >= -self.least:
-            return np.inf
+        if first.e[row] <= 0:
+            return t
+        if lowest >= -self.least:  # the path is interpolated: a step up to there shows how close it is
+            near = lowest < UNSURE * max(first.e[row], last.e[row])
+            return t if near and UNSURE * h < t - first.t < (1 - UNSURE) * h else np.inf
         begin = float(brentq(gap, first.t, t))
-        return begin if begin - first.t > close * (last.t - first.t) else t
+        return begin if begin - first.t > close * h else t
 
     def _gap(self, first: Snapshot, last: Snapshot, row: int) -> Callable[[float], float]:
         """Return a gap as a function of time within a step."""

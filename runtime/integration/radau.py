@@ -46,7 +46,6 @@ class Radau(StepMethod):
     _no_slope: TangentError | None = None
     _code = 0  # of what failed in it, or zero
     _wished = 0.0  # length of the first trial [s]
-    _cut = False  # whether the step ends where a contact begins or ends
 
     @classmethod
     def scale(cls, structure: Structure, weight: Array, given: Tolerances) -> Covered:
@@ -103,7 +102,7 @@ class Radau(StepMethod):
     def aim(self, end: float, shortest: float) -> None:
         """Prepare a step that ends at a time [s] at the latest."""
         c = self.steps.struct
-        self._cut, self._wished, c.end, c.longest = False, c.h, end, self.course.tolerances.max_step
+        self._wished, c.end, c.longest = c.h, end, self.course.tolerances.max_step
         c.shortest = shortest
 
     def attempt(self) -> Attempted:
@@ -147,16 +146,19 @@ class Radau(StepMethod):
     def cut(self, h: float) -> None:
         """Prepare a step of length h [s] instead of the one that was found."""
         c = self.steps.struct
-        c.h, c.waiting, self._cut = h, False, True
+        c.h, c.waiting = h, False
+        c.last_error = (
+            0.0  # the error does not choose this length: the next one must not be predicted from it
+        )
 
-    def accept(self, last: Snapshot) -> Found:
+    def accept(self, last: Snapshot, kink: bool) -> Found:
         """Continue from the end of the step that was found."""
         course, steps, c = self.course, self.steps, self.steps.struct
         self._failed = None
         course.counts["bifurcations"] += bool(c.changed)
         cut, h = c.h < self._wished and not c.rejected, c.h
         dense = steps.accept(course.now, last)
-        if self._cut:  # the forces at the end are those of another law
+        if kink:
             c.stale, c.last_error = True, 0.0
         elif cut and c.t == c.end and c.last_h == h:
             c.h = max(c.h, self._wished)

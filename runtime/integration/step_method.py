@@ -18,6 +18,7 @@ from flexel.base.errors import FlexelError
 from flexel.engine.coordinate_work import CoordinateWork
 from flexel.engine.covered import Covered
 from flexel.engine.step_control import StepControl
+from flexel.engine.workspace import Workspace
 from flexel.integration.account import Account, Quadrature
 from flexel.integration.attempts import Attempts
 from flexel.integration.branch import Choices
@@ -194,6 +195,11 @@ class StepMethod(Attempts):
     def placed(self) -> CoordinateWork:
         """The arrays that hold the position at the end of the step that was found last."""
 
+    @property
+    def work(self) -> Workspace:
+        """The workspace that holds the end of the step that was found last."""
+        return self.placed.work
+
     @abstractmethod
     def restart(self) -> None:
         """Restart from the present position in the present degrees of freedom."""
@@ -211,8 +217,8 @@ class StepMethod(Attempts):
         self.restart()
 
     @abstractmethod
-    def accept(self, last: Snapshot) -> Found:
-        """Continue from the end of the step that was found, a point."""
+    def accept(self, last: Snapshot, kink: bool) -> Found:
+        """Continue from the end of the step that was found, a point, where forces may change their law."""
 
     @abstractmethod
     def stopped(self) -> FlexelError:

@@ -13,6 +13,7 @@ from flexel.engine.batches import Batch
 from flexel.engine.contact_look import PASSES, TOUCHES, ContactLook
 from flexel.engine.contact_selection import free_gaps
 from flexel.engine.tables import Tables
+from flexel.engine.workspace import Workspace
 from flexel.integration.passed import CLOSE, Passages
 from flexel.model.snapshot import Snapshot
 
@@ -48,10 +49,14 @@ class TouchingContacts:
         Deformations that are gaps, or with which laws begin to act.
     look : ContactLook
         Says in which steps something happens.
+    touched : bool
+        Whether a contact begins or ends in the last step that was looked at, if only at its ends.
     """
 
+    touched = False
+
     def __init__(self, tables: Tables, gaps: Index, passages: Passages, sees_inside: bool = True) -> None:
-        self._passages, self._sees_inside = passages, sees_inside
+        self._passages = passages
         self._close = CLOSE if sees_inside else ROUGHLY
         still = np.zeros(gaps.size)
         found = [(gaps, still + 1.0, still, still), *_begins(tables)]
@@ -59,22 +64,25 @@ class TouchingContacts:
         value, rate, rest = (np.concatenate(part) for part in list(zip(*found, strict=True))[1:])
         self.look = ContactLook(self.rows, (value, rate, rest), passages.rows, passages.least, sees_inside)
 
-    def until(self, first: Snapshot, last: Snapshot) -> float:
+    def until(self, first: Snapshot, last: Snapshot, end: Workspace) -> float:
         """Return the step [s] up to the first contact that begins or ends within a step; zero if there is none.
 
         Parameters
         ----------
         first, last : Snapshot
             At its ends.
+        end : Workspace
+            It holds its end.
         """
         if not self.look.any:
             return 0.0
         h = last.t - first.t
-        happens = self.look(first.e, first.ed, last.e, last.ed, h)
-        shares = self._crossings(first, last, h) if happens & TOUCHES else []
+        happens = self.look((first.x, first.e, first.ed), last.x, end, h)
+        self.touched = bool(happens & TOUCHES)
+        shares = self._crossings(first, last, h) if self.touched else []
         if happens & PASSES:
-            passed = self._passages.until(first, last, self._sees_inside, self._close)
-            shares.append((passed - first.t) / h)
+            gaps = self._passages.rows[self.look.passed != 0]
+            shares.append((self._passages.until(first, last, gaps, self._close) - first.t) / h)
         share = min((share for share in shares if share > self._close), default=1.0)
         return h * (share + BEYOND) if share < 1 - self._close else 0.0
 
@@ -99,9 +107,8 @@ def abrupt_gaps(tables: Tables) -> Index:
     """Return the indices in e of gaps, except along ropes, whose forces begin more abruptly than with `HERTZ`."""
     abrupt = np.ones(tables.structure.m, dtype=bool)
     for batch, p in zip(tables.laws, tables.parameters[1], strict=True):
-        columns = _columns(batch, p)
-        if ("exponent", 0) in columns:
-            abrupt[batch.places["e"][:, 0]] = columns["exponent", 0] < HERTZ
+        if any(parameter.name == "exponent" for parameter in batch.spec.parameters):
+            abrupt[batch.places["e"][:, 0]] = _columns(batch, p)["exponent", 0] < HERTZ
     gaps = free_gaps(tables)
     return gaps[abrupt[gaps]]
 

@@ -5,7 +5,9 @@ import pytest
 from scipy.special import ellipk
 
 import flexel as fx
+from flexel.engine.contact_selection import every_gap
 from flexel.integration.passed import Passages
+from flexel.integration.touching import TouchingContacts
 from flexel.model.snapshot import Snapshot
 
 METHODS = ("DOP853", "Radau", "generalized-alpha", "auto")
@@ -134,18 +136,20 @@ def test_a_ball_that_comes_to_rest_behind_a_bar_has_passed_it() -> None:
     m.contact("touch", "ball", "bar", fx.Contact(1e9, per="point"), radius=0.005)
     m.independent("ball.x", "ball.y")
     system = m.build()
-    passages = Passages(system.evaluation)
+    tables, passages = system.evaluation.tables, Passages(system.evaluation)
+    touching = TouchingContacts(tables, every_gap(tables), passages)
 
     def until(begin: float, speed: float) -> float:
-        """When a step of 2 ms must end, which begins at this place with this speed."""
+        """Length of a step of 2 ms up to the contact, which begins at this place with this speed; or zero."""
         first, last = (
             Snapshot.of(system.state_at({"ball.x": x, "ball.y": 0.0}, {"ball.x": v, "ball.y": 0.0}, t=t))
             for t, x, v in ((0.0, begin, speed), (2e-3, begin + 0.2, 0.0))
         )
-        return passages.until(first, last, sees_inside=True)
+        end = system.evaluation.at(last.t, last.x, last.v, None, np.zeros(0), last.e)
+        return touching.until(first, last, end)
 
     assert until(-0.1, 200.0) == pytest.approx((200 - np.sqrt(4e4 - 2e5 * 0.09)) / 1e5, rel=1e-9)
-    assert until(-0.5, 200.0) == np.inf
+    assert until(-0.5, 200.0) == 0.0
 
 
 def towards_a_bar() -> fx.System:
