@@ -46,13 +46,18 @@ def by_gauss(stress: Expr, e: Symbol, low: float, high: float) -> Expr:
 def kinks(expr: Expr, e: Symbol) -> tuple[float, ...]:
     """Return the points where pieces of a formula end, of those linear in e; some more where pieces are nested."""
     found = set()
-    for margin in {branch for nested in _margins(expr) for branch in _branches(nested)}:
+    for margin in margins(expr):
         slope = margin.diff(e)
         if slope.is_number and slope.is_real and slope != 0:
             place = sp.N(-margin.subs(e, 0) / slope)
             if place.is_Float:
                 found.add(float(place))
     return tuple(sorted(found))
+
+
+def margins(expr: Expr) -> set[Expr]:
+    """Return the expressions that change sign where a formula has a kink, without kinks of their own."""
+    return {branch for nested in _margins(expr) for branch in _branches(nested)}
 
 
 def _margins(expr: Expr) -> Iterator[Expr]:

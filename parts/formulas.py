@@ -227,9 +227,11 @@ def _verified(law: Any, limits: dict[str, tuple[float, float]]) -> Formula:
 def _accepted(law: Any, limits: dict[str, tuple[float, float]]) -> Formula:
     """Compile and verify the law with its numbers as parameters, or with fixed numbers where that fails."""
     from flexel.derive.accept import accepted_law
+    from flexel.derive.begins import with_begins
     from flexel.derive.general import general
 
     shape, values = general(law)
+    shape = with_begins(shape, values)
     symbols = shape.parameter_symbols if values else ()
     fixed = {symbol.name: (value, value) for symbol, value in zip(symbols, values, strict=True)}
     if values:
@@ -239,7 +241,7 @@ def _accepted(law: Any, limits: dict[str, tuple[float, float]]) -> Formula:
             ValueError
         ):  # such as a base that must be a number: what is wrong with the law itself is found below
             pass
-    return Formula(accepted_law(law, limits), {})
+    return Formula(accepted_law(with_begins(law, ()), limits), {})
 
 
 def _real(law: Any, width: float, times: tuple[float, float]) -> tuple[float, float] | None:

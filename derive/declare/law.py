@@ -86,7 +86,7 @@ class Law:
         The limit of its data.
     begins : tuple of Expr, optional
         What is zero where the law begins to act, such as e - gap: linear in the first deformation and its rate, with
-        sums of products of parameters as coefficients. Steps of DOP853 end there.
+        sums of products of parameters as coefficients. Steps end there.
     units : tuple of str, (m + k,), optional
         Units of the deformations and slips; empty text for one of any unit.  None are given by default.
 

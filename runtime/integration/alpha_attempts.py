@@ -64,6 +64,8 @@ class AlphaAttempts(Attempts):
         Those that end steps, and whose depth each step must resolve.
     wish : float
         Length of the next step [s].
+    compared : bool
+        Whether the ends of steps are compared, so that their points are copied.
     rejected, at_contact : int
         Trials that were refused, and of these the ones because of contacts.
     """
@@ -76,7 +78,7 @@ class AlphaAttempts(Attempts):
         self.rejected = self.at_contact = self._halvings = self._false = 0
         self._refused = (0.0, 0.0)  # length and error of a trial that was refused for its internal states
         self._end = self._shortest = self._asked = self._h = self._next = 0.0
-        self._error, self._cut = 0.0, False
+        self._error, self._cut, self.compared = 0.0, False, True
 
     def aim(self, end: float, shortest: float) -> None:
         """Prepare a step that divides the time up to another one [s], or a shorter one."""
@@ -106,6 +108,8 @@ class AlphaAttempts(Attempts):
         """Return the point at the end of the step that was found."""
         end, work = self.stepper.t + self._h, self.stepper.work
         t = self._end if abs(end - self._end) < NEAR * self._h else end
+        if not self.compared:
+            return Snapshot(t, work.x, work.v, work.e, work.w)
         return Snapshot(t, work.x.copy(), work.v.copy(), work.e.copy(), work.w[: work.e.size].copy())
 
     @property

@@ -39,7 +39,7 @@ class GeneralizedAlpha(Run):
     ----------
     stepper : AlphaStepper
     now : Snapshot
-        The current point of the motion.
+        The current point of the motion; only its time, if it is not compared, see `AlphaAttempts`.
     replay : Replay
         Takes its steps again, for the states within them.
     energy_balance : EnergyBalance
@@ -73,6 +73,7 @@ class GeneralizedAlpha(Run):
         self._attempts = AlphaAttempts(stepper, self.energy_balance, control)
         tables = stepper.work.tables
         self._touching = TouchingContacts(tables, abrupt_gaps(tables), self.passed, sees_inside=False)
+        self._attempts.compared = self._touching.look.any
         self._steps = self._cuts = 0
         self.now = Snapshot.of(start)
         self._anchor, self._multiple = start.t, 0  # from where constant steps are counted
@@ -90,7 +91,8 @@ class GeneralizedAlpha(Run):
     @property
     def instant(self) -> tuple[Snapshot, Array]:
         """Coordinates, rates and deformations at the current time, and internal states of laws."""
-        return self.now, self.stepper.stepping.old["z"]
+        state = self.present
+        return Snapshot.of(state), state.z
 
     @property
     def present(self) -> State:
@@ -151,7 +153,8 @@ class GeneralizedAlpha(Run):
         self.replay.part()
         old = self.stepper.stepping.old
         kinematics = self.stepper.system.kinematics_of(self.result.states[-1].roles)
-        self.now = struck(kinematics, self.now, self.knots.inside(self.t))
+        x, v, e = (old[name].copy() for name in ("x", "v", "e"))
+        self.now = struck(kinematics, Snapshot(self.t, x, v, e, np.zeros_like(e)), self.knots.inside(self.t))
         old["v"][:] = self.now.v
         self.renew()
         self.balance()

@@ -74,11 +74,11 @@ class TouchingContacts:
         end : Workspace
             It holds its end.
         """
-        if not self.look.any:
+        look, h = self.look, last.t - first.t
+        happens = look((first.x, first.e, first.ed), last.x, end, h) if look.any else 0
+        self.touched = happens & TOUCHES != 0
+        if not happens:
             return 0.0
-        h = last.t - first.t
-        happens = self.look((first.x, first.e, first.ed), last.x, end, h)
-        self.touched = bool(happens & TOUCHES)
         shares = self._crossings(first, last, h) if self.touched else []
         if happens & PASSES:
             gaps = self._passages.rows[self.look.passed != 0]
@@ -127,7 +127,7 @@ def _begins(tables: Tables) -> Iterator[tuple[Index, Array, Array, Array]]:
 def _columns(batch: Batch, p: Array) -> dict[tuple[str, int], Array]:
     """Return the values (size,) of the components of parameters of a batch, from its blocks (blocks, parameters, 8)."""
     components = [(q.name, component) for q in batch.spec.parameters for component in range(q.size)]
-    values = np.swapaxes(p, 1, 2).reshape(-1, p.shape[1])[: batch.size]
+    values = np.swapaxes(p, 1, 2).reshape(p.shape[0] * p.shape[2], p.shape[1])[: batch.size]
     return dict(zip(components, values.T, strict=True))
 
 

@@ -4,6 +4,7 @@ from collections.abc import Callable
 
 import numpy as np
 import pytest
+import sympy as sp
 
 import flexel as fx
 
@@ -38,6 +39,15 @@ def on_a_stop() -> fx.Model:
     return m
 
 
+def on_a_formula() -> fx.Model:
+    """The same with the user's own formula."""
+    m = falling()
+    m.point("above", (0, 3 * HEIGHT), fixed=True)
+    m.truss("bar", "above", "ball")
+    m.spring("bar.elongation", lambda e: STIFFNESS * sp.Max(0, e - HEIGHT))
+    return m
+
+
 def between_limits() -> fx.Model:
     """The same by limits of a joint, of which the upper one is not reached."""
     m = falling()
@@ -62,6 +72,7 @@ def on_a_tyre() -> fx.Model:
 MODELS: dict[str, tuple[Callable[[], fx.Model], str]] = {
     "floor": (on_a_floor, "ball.y"),
     "stop": (on_a_stop, "ball.y"),
+    "formula": (on_a_formula, "ball.y"),
     "limits": (between_limits, "ball.y"),
     "tyre": (on_a_tyre, "ball.z"),
 }
