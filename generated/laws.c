@@ -66,7 +66,7 @@ static void linear_1_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_1 = {
     .name = "linear_1",
-    .digest = "9aaaea561a751a9c",
+    .digest = "c9cb37880850cb4e",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -159,7 +159,7 @@ static void linear_2_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_2 = {
     .name = "linear_2",
-    .digest = "9aaaea561a751a9c",
+    .digest = "c9cb37880850cb4e",
     .m = 2,
     .k = 0,
     .nz = 0,
@@ -279,7 +279,7 @@ static void linear_3_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_3 = {
     .name = "linear_3",
-    .digest = "9aaaea561a751a9c",
+    .digest = "c9cb37880850cb4e",
     .m = 3,
     .k = 0,
     .nz = 0,
@@ -436,7 +436,7 @@ static void linear_4_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_4 = {
     .name = "linear_4",
-    .digest = "9aaaea561a751a9c",
+    .digest = "c9cb37880850cb4e",
     .m = 4,
     .k = 0,
     .nz = 0,
@@ -633,7 +633,7 @@ static void linear_5_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_5 = {
     .name = "linear_5",
-    .digest = "9aaaea561a751a9c",
+    .digest = "c9cb37880850cb4e",
     .m = 5,
     .k = 0,
     .nz = 0,
@@ -884,7 +884,7 @@ static void linear_6_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_linear_6 = {
     .name = "linear_6",
-    .digest = "9aaaea561a751a9c",
+    .digest = "c9cb37880850cb4e",
     .m = 6,
     .k = 0,
     .nz = 0,
@@ -944,7 +944,7 @@ static void viscous_1_tangent(size_t nblocks, const real *const *in, real *const
 
 const flexel_law flexel_law_viscous_1 = {
     .name = "viscous_1",
-    .digest = "9aaaea561a751a9c",
+    .digest = "c9cb37880850cb4e",
     .m = 0,
     .k = 1,
     .nz = 0,
@@ -1013,7 +1013,7 @@ static void viscous_2_tangent(size_t nblocks, const real *const *in, real *const
 
 const flexel_law flexel_law_viscous_2 = {
     .name = "viscous_2",
-    .digest = "9aaaea561a751a9c",
+    .digest = "c9cb37880850cb4e",
     .m = 0,
     .k = 2,
     .nz = 0,
@@ -1094,7 +1094,7 @@ static void viscous_3_tangent(size_t nblocks, const real *const *in, real *const
 
 const flexel_law flexel_law_viscous_3 = {
     .name = "viscous_3",
-    .digest = "9aaaea561a751a9c",
+    .digest = "c9cb37880850cb4e",
     .m = 0,
     .k = 3,
     .nz = 0,
@@ -1173,7 +1173,7 @@ static void beam_extension_tangent(size_t nblocks, const real *const *in, real *
 
 const flexel_law flexel_law_beam_extension = {
     .name = "beam_extension",
-    .digest = "9aaaea561a751a9c",
+    .digest = "c9cb37880850cb4e",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -1254,7 +1254,7 @@ static void beam_torsion_tangent(size_t nblocks, const real *const *in, real *co
 
 const flexel_law flexel_law_beam_torsion = {
     .name = "beam_torsion",
-    .digest = "9aaaea561a751a9c",
+    .digest = "c9cb37880850cb4e",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -1350,7 +1350,7 @@ static void beam_bending_tangent(size_t nblocks, const real *const *in, real *co
 
 const flexel_law flexel_law_beam_bending = {
     .name = "beam_bending",
-    .digest = "9aaaea561a751a9c",
+    .digest = "c9cb37880850cb4e",
     .m = 2,
     .k = 0,
     .nz = 0,
@@ -1456,7 +1456,7 @@ static void beam_shear_bending_tangent(size_t nblocks, const real *const *in, re
 
 const flexel_law flexel_law_beam_shear_bending = {
     .name = "beam_shear_bending",
-    .digest = "9aaaea561a751a9c",
+    .digest = "c9cb37880850cb4e",
     .m = 2,
     .k = 0,
     .nz = 0,
@@ -1559,7 +1559,7 @@ static void beam_bimoment_tangent(size_t nblocks, const real *const *in, real *c
 
 const flexel_law flexel_law_beam_bimoment = {
     .name = "beam_bimoment",
-    .digest = "9aaaea561a751a9c",
+    .digest = "c9cb37880850cb4e",
     .m = 2,
     .k = 0,
     .nz = 0,
@@ -1678,7 +1678,7 @@ static void planar_cable_stiffness_tangent(size_t nblocks, const real *const *in
 
 const flexel_law flexel_law_planar_cable_stiffness = {
     .name = "planar_cable_stiffness",
-    .digest = "9aaaea561a751a9c",
+    .digest = "c9cb37880850cb4e",
     .m = 6,
     .k = 0,
     .nz = 0,
@@ -1829,7 +1829,7 @@ static void cable_stiffness_tangent(size_t nblocks, const real *const *in, real 
 
 const flexel_law flexel_law_cable_stiffness = {
     .name = "cable_stiffness",
-    .digest = "9aaaea561a751a9c",
+    .digest = "c9cb37880850cb4e",
     .m = 12,
     .k = 0,
     .nz = 0,
@@ -1846,14 +1846,15 @@ const flexel_law flexel_law_cable_stiffness = {
  * Source: piecewise polynomial
  *
  * 1 deformations, 0 slips
- * p (127):
+ * p (142):
  *   breaks (15) [m or m/s]: where the next piece begins; rising, unused ones very large
  *   origins (16) [m or m/s]: from where the powers of each piece are counted
  *   coefficients (80) [N, N/m, ...]: of each piece, rising powers
- *   stored (16) [J]: energy at the origin of each piece */
+ *   stored (16) [J]: energy at the origin of each piece
+ *   kinks (15) [m or m/s]: breaks at which the slope jumps, where steps end; unused ones very large */
 
 /* law: 152 operations.
- * in:  e (1), ed (1), s (0), z (0), t (1), p (127)
+ * in:  e (1), ed (1), s (0), z (0), t (1), p (142)
  * out: sigma (1), tau (0), zd (0), U (1), P (1) */
 FLEXEL_CLONES
 static void spring_curve_law(size_t nblocks, const real *const *in, real *const *out)
@@ -1861,7 +1862,7 @@ static void spring_curve_law(size_t nblocks, const real *const *in, real *const 
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict e = in[0] + b * (1 * 8);
         const real *restrict ed = in[1] + b * (1 * 8);
-        const real *restrict p = in[5] + b * (127 * 8);
+        const real *restrict p = in[5] + b * (142 * 8);
         real *restrict sigma = out[0] + b * (1 * 8);
         real *restrict U = out[3] + b * (1 * 8);
         real *restrict P = out[4] + b * (1 * 8);
@@ -2093,14 +2094,14 @@ static void spring_curve_law(size_t nblocks, const real *const *in, real *const 
 }
 
 /* tangent: 101 operations.
- * in:  e (1), ed (1), s (0), z (0), t (1), p (127)
+ * in:  e (1), ed (1), s (0), z (0), t (1), p (142)
  * out: J (1,2), 1 of 2 entries */
 FLEXEL_CLONES
 static void spring_curve_tangent(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict e = in[0] + b * (1 * 8);
-        const real *restrict p = in[5] + b * (127 * 8);
+        const real *restrict p = in[5] + b * (142 * 8);
         real *restrict J = out[0] + b * (1 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
@@ -2270,11 +2271,11 @@ static void spring_curve_tangent(size_t nblocks, const real *const *in, real *co
 
 const flexel_law flexel_law_spring_curve = {
     .name = "spring_curve",
-    .digest = "9aaaea561a751a9c",
+    .digest = "c9cb37880850cb4e",
     .m = 1,
     .k = 0,
     .nz = 0,
-    .np = 127,
+    .np = 142,
     .law = spring_curve_law,
     .tangent = spring_curve_tangent,
 };
@@ -2287,20 +2288,21 @@ const flexel_law flexel_law_spring_curve = {
  * Source: piecewise polynomial
  *
  * 1 deformations, 0 slips
- * p (111):
+ * p (126):
  *   breaks (15) [m or m/s]: where the next piece begins; rising, unused ones very large
  *   origins (16) [m or m/s]: from where the powers of each piece are counted
- *   coefficients (80) [N, N/m, ...]: of each piece, rising powers */
+ *   coefficients (80) [N, N/m, ...]: of each piece, rising powers
+ *   kinks (15) [m or m/s]: breaks at which the slope jumps, where steps end; unused ones very large */
 
 /* law: 115 operations.
- * in:  e (1), ed (1), s (0), z (0), t (1), p (111)
+ * in:  e (1), ed (1), s (0), z (0), t (1), p (126)
  * out: sigma (1), tau (0), zd (0), U (1), 0 of 1 entries, P (1) */
 FLEXEL_CLONES
 static void damper_curve_law(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict ed = in[1] + b * (1 * 8);
-        const real *restrict p = in[5] + b * (111 * 8);
+        const real *restrict p = in[5] + b * (126 * 8);
         real *restrict sigma = out[0] + b * (1 * 8);
         real *restrict P = out[4] + b * (1 * 8);
 #pragma omp simd
@@ -2504,14 +2506,14 @@ static void damper_curve_law(size_t nblocks, const real *const *in, real *const 
 }
 
 /* tangent: 101 operations.
- * in:  e (1), ed (1), s (0), z (0), t (1), p (111)
+ * in:  e (1), ed (1), s (0), z (0), t (1), p (126)
  * out: J (1,2), 1 of 2 entries */
 FLEXEL_CLONES
 static void damper_curve_tangent(size_t nblocks, const real *const *in, real *const *out)
 {
     for (size_t b = 0; b < nblocks; b++) {
         const real *restrict ed = in[1] + b * (1 * 8);
-        const real *restrict p = in[5] + b * (111 * 8);
+        const real *restrict p = in[5] + b * (126 * 8);
         real *restrict J = out[0] + b * (1 * 8);
 #pragma omp simd
         for (size_t j = 0; j < 8; j++) {
@@ -2686,11 +2688,11 @@ static void damper_curve_tangent(size_t nblocks, const real *const *in, real *co
 
 const flexel_law flexel_law_damper_curve = {
     .name = "damper_curve",
-    .digest = "9aaaea561a751a9c",
+    .digest = "c9cb37880850cb4e",
     .m = 1,
     .k = 0,
     .nz = 0,
-    .np = 111,
+    .np = 126,
     .law = damper_curve_law,
     .tangent = damper_curve_tangent,
 };
@@ -2767,7 +2769,7 @@ static void stop_tangent(size_t nblocks, const real *const *in, real *const *out
 
 const flexel_law flexel_law_stop = {
     .name = "stop",
-    .digest = "9aaaea561a751a9c",
+    .digest = "c9cb37880850cb4e",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -2843,7 +2845,7 @@ static void vertical_tyre_tangent(size_t nblocks, const real *const *in, real *c
 
 const flexel_law flexel_law_vertical_tyre = {
     .name = "vertical_tyre",
-    .digest = "9aaaea561a751a9c",
+    .digest = "c9cb37880850cb4e",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -3003,7 +3005,7 @@ static void linear_tyre_tangent(size_t nblocks, const real *const *in, real *con
 
 const flexel_law flexel_law_linear_tyre = {
     .name = "linear_tyre",
-    .digest = "9aaaea561a751a9c",
+    .digest = "c9cb37880850cb4e",
     .m = 2,
     .k = 4,
     .nz = 0,
@@ -3240,7 +3242,7 @@ static void calspan_tyre_tangent(size_t nblocks, const real *const *in, real *co
 
 const flexel_law flexel_law_calspan_tyre = {
     .name = "calspan_tyre",
-    .digest = "9aaaea561a751a9c",
+    .digest = "c9cb37880850cb4e",
     .m = 2,
     .k = 4,
     .nz = 0,
@@ -3580,7 +3582,7 @@ static void magic_formula_tangent(size_t nblocks, const real *const *in, real *c
 
 const flexel_law flexel_law_magic_formula = {
     .name = "magic_formula",
-    .digest = "9aaaea561a751a9c",
+    .digest = "c9cb37880850cb4e",
     .m = 2,
     .k = 5,
     .nz = 2,
@@ -3693,7 +3695,7 @@ static void hertz_tangent(size_t nblocks, const real *const *in, real *const *ou
 
 const flexel_law flexel_law_hertz = {
     .name = "hertz",
-    .digest = "9aaaea561a751a9c",
+    .digest = "c9cb37880850cb4e",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -3837,7 +3839,7 @@ static void hertz_coulomb_1_tangent(size_t nblocks, const real *const *in, real 
 
 const flexel_law flexel_law_hertz_coulomb_1 = {
     .name = "hertz_coulomb_1",
-    .digest = "9aaaea561a751a9c",
+    .digest = "c9cb37880850cb4e",
     .m = 1,
     .k = 1,
     .nz = 0,
@@ -4001,7 +4003,7 @@ static void hertz_coulomb_2_tangent(size_t nblocks, const real *const *in, real 
 
 const flexel_law flexel_law_hertz_coulomb_2 = {
     .name = "hertz_coulomb_2",
-    .digest = "9aaaea561a751a9c",
+    .digest = "c9cb37880850cb4e",
     .m = 1,
     .k = 2,
     .nz = 0,
@@ -4179,7 +4181,7 @@ static void hertz_bristle_1_tangent(size_t nblocks, const real *const *in, real 
 
 const flexel_law flexel_law_hertz_bristle_1 = {
     .name = "hertz_bristle_1",
-    .digest = "9aaaea561a751a9c",
+    .digest = "c9cb37880850cb4e",
     .m = 1,
     .k = 1,
     .nz = 1,
@@ -4384,7 +4386,7 @@ static void hertz_bristle_2_tangent(size_t nblocks, const real *const *in, real 
 
 const flexel_law flexel_law_hertz_bristle_2 = {
     .name = "hertz_bristle_2",
-    .digest = "9aaaea561a751a9c",
+    .digest = "c9cb37880850cb4e",
     .m = 1,
     .k = 2,
     .nz = 2,
@@ -4494,7 +4496,7 @@ static void journal_tangent(size_t nblocks, const real *const *in, real *const *
 
 const flexel_law flexel_law_journal = {
     .name = "journal",
-    .digest = "9aaaea561a751a9c",
+    .digest = "c9cb37880850cb4e",
     .m = 3,
     .k = 0,
     .nz = 0,
@@ -4561,7 +4563,7 @@ static void friction_tangent(size_t nblocks, const real *const *in, real *const 
 
 const flexel_law flexel_law_friction = {
     .name = "friction",
-    .digest = "9aaaea561a751a9c",
+    .digest = "c9cb37880850cb4e",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -4628,7 +4630,7 @@ static void slip_friction_tangent(size_t nblocks, const real *const *in, real *c
 
 const flexel_law flexel_law_slip_friction = {
     .name = "slip_friction",
-    .digest = "9aaaea561a751a9c",
+    .digest = "c9cb37880850cb4e",
     .m = 0,
     .k = 1,
     .nz = 0,
@@ -4723,7 +4725,7 @@ static void limits_tangent(size_t nblocks, const real *const *in, real *const *o
 
 const flexel_law flexel_law_limits = {
     .name = "limits",
-    .digest = "9aaaea561a751a9c",
+    .digest = "c9cb37880850cb4e",
     .m = 1,
     .k = 0,
     .nz = 0,
@@ -4872,7 +4874,7 @@ static void loose_journal_tangent(size_t nblocks, const real *const *in, real *c
 
 const flexel_law flexel_law_loose_journal = {
     .name = "loose_journal",
-    .digest = "9aaaea561a751a9c",
+    .digest = "c9cb37880850cb4e",
     .m = 3,
     .k = 0,
     .nz = 0,
@@ -5016,7 +5018,7 @@ static void loose_ball_tangent(size_t nblocks, const real *const *in, real *cons
 
 const flexel_law flexel_law_loose_ball = {
     .name = "loose_ball",
-    .digest = "9aaaea561a751a9c",
+    .digest = "c9cb37880850cb4e",
     .m = 3,
     .k = 0,
     .nz = 0,
@@ -5073,7 +5075,7 @@ static void held_tangent(size_t nblocks, const real *const *in, real *const *out
 
 const flexel_law flexel_law_held = {
     .name = "held",
-    .digest = "9aaaea561a751a9c",
+    .digest = "c9cb37880850cb4e",
     .m = 1,
     .k = 0,
     .nz = 1,
@@ -5130,7 +5132,7 @@ static void slip_held_tangent(size_t nblocks, const real *const *in, real *const
 
 const flexel_law flexel_law_slip_held = {
     .name = "slip_held",
-    .digest = "9aaaea561a751a9c",
+    .digest = "c9cb37880850cb4e",
     .m = 0,
     .k = 1,
     .nz = 1,
@@ -5168,7 +5170,7 @@ static void memory_tangent(size_t nblocks, const real *const *in, real *const *o
 
 const flexel_law flexel_law_memory = {
     .name = "memory",
-    .digest = "9aaaea561a751a9c",
+    .digest = "c9cb37880850cb4e",
     .m = 0,
     .k = 0,
     .nz = 1,

@@ -5404,7 +5404,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_1
     "linear_1": LawSpec(
         name="linear_1",
-        digest="9aaaea561a751a9c",
+        digest="c9cb37880850cb4e",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=1,
         slips=0,
@@ -5441,7 +5441,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_2
     "linear_2": LawSpec(
         name="linear_2",
-        digest="9aaaea561a751a9c",
+        digest="c9cb37880850cb4e",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=2,
         slips=0,
@@ -5479,7 +5479,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_3
     "linear_3": LawSpec(
         name="linear_3",
-        digest="9aaaea561a751a9c",
+        digest="c9cb37880850cb4e",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=3,
         slips=0,
@@ -5518,7 +5518,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_4
     "linear_4": LawSpec(
         name="linear_4",
-        digest="9aaaea561a751a9c",
+        digest="c9cb37880850cb4e",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=4,
         slips=0,
@@ -5558,7 +5558,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_5
     "linear_5": LawSpec(
         name="linear_5",
-        digest="9aaaea561a751a9c",
+        digest="c9cb37880850cb4e",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=5,
         slips=0,
@@ -5599,7 +5599,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_6
     "linear_6": LawSpec(
         name="linear_6",
-        digest="9aaaea561a751a9c",
+        digest="c9cb37880850cb4e",
         doc="sigma = preload + S e + D ed\nenergy = preload.e + e.S e/2",
         deformations=6,
         slips=0,
@@ -5641,7 +5641,7 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_1
     "viscous_1": LawSpec(
         name="viscous_1",
-        digest="9aaaea561a751a9c",
+        digest="c9cb37880850cb4e",
         doc="tau = C s",
         deformations=0,
         slips=1,
@@ -5676,7 +5676,7 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_2
     "viscous_2": LawSpec(
         name="viscous_2",
-        digest="9aaaea561a751a9c",
+        digest="c9cb37880850cb4e",
         doc="tau = C s",
         deformations=0,
         slips=2,
@@ -5712,7 +5712,7 @@ LAWS: dict[str, LawSpec] = {
     # law viscous_3
     "viscous_3": LawSpec(
         name="viscous_3",
-        digest="9aaaea561a751a9c",
+        digest="c9cb37880850cb4e",
         doc="tau = C s",
         deformations=0,
         slips=3,
@@ -5749,7 +5749,7 @@ LAWS: dict[str, LawSpec] = {
     # law beam_extension
     "beam_extension": LawSpec(
         name="beam_extension",
-        digest="9aaaea561a751a9c",
+        digest="c9cb37880850cb4e",
         doc="sigma = EA/l0 (e - initial_strain l0 + damping ed),  e: the beam's elongation\nenergy = EA/l0 e (e/2 - initial_strain l0)",
         deformations=1,
         slips=0,
@@ -5787,7 +5787,7 @@ LAWS: dict[str, LawSpec] = {
     # law beam_torsion
     "beam_torsion": LawSpec(
         name="beam_torsion",
-        digest="9aaaea561a751a9c",
+        digest="c9cb37880850cb4e",
         doc="sigma = GJ/l0^3 (e - initial_twist l0^2 + damping ed),  e: l0 times the angle of twist\nenergy = GJ/l0^3 e (e/2 - initial_twist l0^2)",
         deformations=1,
         slips=0,
@@ -5825,7 +5825,7 @@ LAWS: dict[str, LawSpec] = {
     # law beam_bending
     "beam_bending": LawSpec(
         name="beam_bending",
-        digest="9aaaea561a751a9c",
+        digest="c9cb37880850cb4e",
         doc="e_0, e_1: the beam's two deformations of bending in one plane, at p and at q\nP = 0,  k = EI/((1 + P) l0^3),  r = initial_curvature l0^2/2,  d_i = e_i - r + damping ed_i\nsigma = k ((4 + P) d_0 + (P - 2) d_1, (P - 2) d_0 + (4 + P) d_1)\nenergy: the same form of e_i - r, less its value at e_i = 0",
         deformations=2,
         slips=0,
@@ -5864,7 +5864,7 @@ LAWS: dict[str, LawSpec] = {
     # law beam_shear_bending
     "beam_shear_bending": LawSpec(
         name="beam_shear_bending",
-        digest="9aaaea561a751a9c",
+        digest="c9cb37880850cb4e",
         doc="e_0, e_1: the beam's two deformations of bending in one plane, at p and at q\nP = 12 EI/(GA l0^2),  k = EI/((1 + P) l0^3),  r = initial_curvature l0^2/2,  d_i = e_i - r + damping ed_i\nsigma = k ((4 + P) d_0 + (P - 2) d_1, (P - 2) d_0 + (4 + P) d_1)\nenergy: the same form of e_i - r, less its value at e_i = 0",
         deformations=2,
         slips=0,
@@ -5904,7 +5904,7 @@ LAWS: dict[str, LawSpec] = {
     # law beam_bimoment
     "beam_bimoment": LawSpec(
         name="beam_bimoment",
-        digest="9aaaea561a751a9c",
+        digest="c9cb37880850cb4e",
         doc="e_0, e_1: the beam's two deformations of warping, at p and at q;  d_i = e_i + damping ed_i\nsigma_i = GJ/(30 l0^3) (4 d_i - d_j) + 2 EIw/l0^5 (2 d_i + d_j),  j: the other one\nenergy: the same form of e_i, halved",
         deformations=2,
         slips=0,
@@ -5943,7 +5943,7 @@ LAWS: dict[str, LawSpec] = {
     # law planar_cable_stiffness
     "planar_cable_stiffness": LawSpec(
         name="planar_cable_stiffness",
-        digest="9aaaea561a751a9c",
+        digest="c9cb37880850cb4e",
         doc="sigma = EA l0 (1, 1/3, 1/5) (e + damping ed) of the strains,\nsigma = EI l0 (5, 8, 5)/18 (e + bending_damping ed) of the curvatures at the three points\nenergy = sum of EA l0 (1, 1/3, 1/5) e^2/2 and EI l0 (5, 8, 5)/18 e^2/2",
         deformations=6,
         slips=0,
@@ -5987,7 +5987,7 @@ LAWS: dict[str, LawSpec] = {
     # law cable_stiffness
     "cable_stiffness": LawSpec(
         name="cable_stiffness",
-        digest="9aaaea561a751a9c",
+        digest="c9cb37880850cb4e",
         doc="sigma = EA l0 (1, 1/3, 1/5) (e + damping ed) of the strains,\nsigma = EI l0 (5, 8, 5)/18 (e + bending_damping ed) of the curvatures at the three points\nenergy = sum of EA l0 (1, 1/3, 1/5) e^2/2 and EI l0 (5, 8, 5)/18 e^2/2",
         deformations=12,
         slips=0,
@@ -6037,7 +6037,7 @@ LAWS: dict[str, LawSpec] = {
     # law spring_curve
     "spring_curve": LawSpec(
         name="spring_curve",
-        digest="9aaaea561a751a9c",
+        digest="c9cb37880850cb4e",
         doc="y = x - origin, sum of c_i y^i in the piece in which x lies (x < next break), end pieces beyond\nsigma = that sum with x = e;  energy = its integral",
         deformations=1,
         slips=0,
@@ -6047,6 +6047,7 @@ LAWS: dict[str, LawSpec] = {
             ParameterSpec("origins", 16, "m or m/s", "from where the powers of each piece are counted"),
             ParameterSpec("coefficients", 80, "N, N/m, ...", "of each piece, rising powers"),
             ParameterSpec("stored", 16, "J", "energy at the origin of each piece"),
+            ParameterSpec("kinks", 15, "m or m/s", "breaks at which the slope jumps, where steps end; unused ones very large"),
         ),
         kernels={
             "law": KernelSpec(
@@ -6068,6 +6069,23 @@ LAWS: dict[str, LawSpec] = {
                 101,
             ),
         },
+        begins=(
+            BeginSpec((TermSpec(1.0),), (), (TermSpec(-1.0, powers=(("kinks", 0, 1),)),)),
+            BeginSpec((TermSpec(1.0),), (), (TermSpec(-1.0, powers=(("kinks", 1, 1),)),)),
+            BeginSpec((TermSpec(1.0),), (), (TermSpec(-1.0, powers=(("kinks", 2, 1),)),)),
+            BeginSpec((TermSpec(1.0),), (), (TermSpec(-1.0, powers=(("kinks", 3, 1),)),)),
+            BeginSpec((TermSpec(1.0),), (), (TermSpec(-1.0, powers=(("kinks", 4, 1),)),)),
+            BeginSpec((TermSpec(1.0),), (), (TermSpec(-1.0, powers=(("kinks", 5, 1),)),)),
+            BeginSpec((TermSpec(1.0),), (), (TermSpec(-1.0, powers=(("kinks", 6, 1),)),)),
+            BeginSpec((TermSpec(1.0),), (), (TermSpec(-1.0, powers=(("kinks", 7, 1),)),)),
+            BeginSpec((TermSpec(1.0),), (), (TermSpec(-1.0, powers=(("kinks", 8, 1),)),)),
+            BeginSpec((TermSpec(1.0),), (), (TermSpec(-1.0, powers=(("kinks", 9, 1),)),)),
+            BeginSpec((TermSpec(1.0),), (), (TermSpec(-1.0, powers=(("kinks", 10, 1),)),)),
+            BeginSpec((TermSpec(1.0),), (), (TermSpec(-1.0, powers=(("kinks", 11, 1),)),)),
+            BeginSpec((TermSpec(1.0),), (), (TermSpec(-1.0, powers=(("kinks", 12, 1),)),)),
+            BeginSpec((TermSpec(1.0),), (), (TermSpec(-1.0, powers=(("kinks", 13, 1),)),)),
+            BeginSpec((TermSpec(1.0),), (), (TermSpec(-1.0, powers=(("kinks", 14, 1),)),)),
+        ),
         arguments=(
             ArgumentSpec("e"),
         ),
@@ -6075,7 +6093,7 @@ LAWS: dict[str, LawSpec] = {
     # law damper_curve
     "damper_curve": LawSpec(
         name="damper_curve",
-        digest="9aaaea561a751a9c",
+        digest="c9cb37880850cb4e",
         doc="y = x - origin, sum of c_i y^i in the piece in which x lies (x < next break), end pieces beyond\nsigma = that sum with x = the rate of e",
         deformations=1,
         slips=0,
@@ -6084,6 +6102,7 @@ LAWS: dict[str, LawSpec] = {
             ParameterSpec("breaks", 15, "m or m/s", "where the next piece begins; rising, unused ones very large"),
             ParameterSpec("origins", 16, "m or m/s", "from where the powers of each piece are counted"),
             ParameterSpec("coefficients", 80, "N, N/m, ...", "of each piece, rising powers"),
+            ParameterSpec("kinks", 15, "m or m/s", "breaks at which the slope jumps, where steps end; unused ones very large"),
         ),
         kernels={
             "law": KernelSpec(
@@ -6105,6 +6124,23 @@ LAWS: dict[str, LawSpec] = {
                 101,
             ),
         },
+        begins=(
+            BeginSpec((), (TermSpec(1.0),), (TermSpec(-1.0, powers=(("kinks", 0, 1),)),)),
+            BeginSpec((), (TermSpec(1.0),), (TermSpec(-1.0, powers=(("kinks", 1, 1),)),)),
+            BeginSpec((), (TermSpec(1.0),), (TermSpec(-1.0, powers=(("kinks", 2, 1),)),)),
+            BeginSpec((), (TermSpec(1.0),), (TermSpec(-1.0, powers=(("kinks", 3, 1),)),)),
+            BeginSpec((), (TermSpec(1.0),), (TermSpec(-1.0, powers=(("kinks", 4, 1),)),)),
+            BeginSpec((), (TermSpec(1.0),), (TermSpec(-1.0, powers=(("kinks", 5, 1),)),)),
+            BeginSpec((), (TermSpec(1.0),), (TermSpec(-1.0, powers=(("kinks", 6, 1),)),)),
+            BeginSpec((), (TermSpec(1.0),), (TermSpec(-1.0, powers=(("kinks", 7, 1),)),)),
+            BeginSpec((), (TermSpec(1.0),), (TermSpec(-1.0, powers=(("kinks", 8, 1),)),)),
+            BeginSpec((), (TermSpec(1.0),), (TermSpec(-1.0, powers=(("kinks", 9, 1),)),)),
+            BeginSpec((), (TermSpec(1.0),), (TermSpec(-1.0, powers=(("kinks", 10, 1),)),)),
+            BeginSpec((), (TermSpec(1.0),), (TermSpec(-1.0, powers=(("kinks", 11, 1),)),)),
+            BeginSpec((), (TermSpec(1.0),), (TermSpec(-1.0, powers=(("kinks", 12, 1),)),)),
+            BeginSpec((), (TermSpec(1.0),), (TermSpec(-1.0, powers=(("kinks", 13, 1),)),)),
+            BeginSpec((), (TermSpec(1.0),), (TermSpec(-1.0, powers=(("kinks", 14, 1),)),)),
+        ),
         arguments=(
             ArgumentSpec("e"),
         ),
@@ -6112,7 +6148,7 @@ LAWS: dict[str, LawSpec] = {
     # law stop
     "stop": LawSpec(
         name="stop",
-        digest="9aaaea561a751a9c",
+        digest="c9cb37880850cb4e",
         doc="depth = max(0, e - gap);  sigma = stiffness depth max(0, 1 + damping edot), never pulling",
         deformations=1,
         slips=0,
@@ -6152,7 +6188,7 @@ LAWS: dict[str, LawSpec] = {
     # law vertical_tyre
     "vertical_tyre": LawSpec(
         name="vertical_tyre",
-        digest="9aaaea561a751a9c",
+        digest="c9cb37880850cb4e",
         doc="sigma = Fz\nFz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0",
         deformations=1,
         slips=0,
@@ -6192,7 +6228,7 @@ LAWS: dict[str, LawSpec] = {
     # law linear_tyre
     "linear_tyre": LawSpec(
         name="linear_tyre",
-        digest="9aaaea561a751a9c",
+        digest="c9cb37880850cb4e",
         doc="Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0\nslip angle alpha = atan(sideways/max(|forward|, standstill)), of the wheel's centre\ntau(lateral) = -fade Fy, tau(spin) = -fade Mz;  fade = 3 u^2 - 2 u^3, u = min(1, |forward|/standstill)\nFy = -cornering alpha - camber_stiffness camber while pressed, whatever the load;  Mz = -trail Fy",
         deformations=2,
         slips=4,
@@ -6241,7 +6277,7 @@ LAWS: dict[str, LawSpec] = {
     # law calspan_tyre
     "calspan_tyre": LawSpec(
         name="calspan_tyre",
-        digest="9aaaea561a751a9c",
+        digest="c9cb37880850cb4e",
         doc="Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0\nslip angle alpha = atan(sideways/max(|forward|, standstill)), of the wheel's centre\ntau(lateral) = -fade Fy, tau(spin) = -fade Mz;  fade = 3 u^2 - 2 u^3, u = min(1, |forward|/standstill)\nF = min(Fz, A2): beyond the load A2 the data end, friction and stiffnesses keep their values there\nmu = SN (B1 F + B3 + B4 F^2),  C_alpha = A0 + A1 F (1 - F/A2),  C_gamma = A3 F (1 - F/A4)\nslip = -(C_alpha alpha + C_gamma camber)/(mu Fz), at most 3\nFy = mu Fz (slip - slip |slip|/3 + slip^3/27),  Mz = (AF1 Fz + AF2 |Fy|) Fy,  Fx = 0",
         deformations=2,
         slips=4,
@@ -6292,7 +6328,7 @@ LAWS: dict[str, LawSpec] = {
     # law magic_formula
     "magic_formula": LawSpec(
         name="magic_formula",
-        digest="9aaaea561a751a9c",
+        digest="c9cb37880850cb4e",
         doc="Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0\nlx kappadot = Re rolling - forward - |forward| kappa\nly (tan alpha)dot = lateral - |forward| tan alpha,  lateral of the contact point\nmu = mu0 + mu1 min(1, Fz/Fz0 - 1),  Kx = kx Fz,  Ky = c1 Fz0 sin(2 atan(Fz/(c2 Fz0))),  Kg = kg Fz\nx = Kx kappa/(mu Fz),  y = (Ky tan alpha + Kg camber)/(mu Fz),  slip = |(x, y)|,  b = slip/C\n(Fx, Fy) = mu Fz sin(C atan(b - E (b - atan b))) (x, -y)/slip, combined slip by similarity\nMz = -t0 Fz/Fz0 cos(atan(B tan alpha)) Fy;  tau(longitudinal, lateral, spin) = -(Fx, Fy, Mz)",
         deformations=2,
         slips=5,
@@ -6350,7 +6386,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz
     "hertz": LawSpec(
         name="hertz",
-        digest="9aaaea561a751a9c",
+        digest="c9cb37880850cb4e",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1)",
         deformations=1,
         slips=0,
@@ -6387,7 +6423,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_coulomb_1
     "hertz_coulomb_1": LawSpec(
         name="hertz_coulomb_1",
-        digest="9aaaea561a751a9c",
+        digest="c9cb37880850cb4e",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1)\ntau = friction N s/sqrt(s.s + slip_speed^2)",
         deformations=1,
         slips=1,
@@ -6427,7 +6463,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_coulomb_2
     "hertz_coulomb_2": LawSpec(
         name="hertz_coulomb_2",
-        digest="9aaaea561a751a9c",
+        digest="c9cb37880850cb4e",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1)\ntau = friction N s/sqrt(s.s + slip_speed^2)",
         deformations=1,
         slips=2,
@@ -6468,7 +6504,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_bristle_1
     "hertz_bristle_1": LawSpec(
         name="hertz_bristle_1",
-        digest="9aaaea561a751a9c",
+        digest="c9cb37880850cb4e",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1) + stiffness d^exponent bristle_stiffness z.z/2\ndz/dt = s - bristle_stiffness |s| z/friction in contact, -release z when open\ntau = N (bristle_stiffness z + bristle_damping dz/dt)",
         deformations=1,
         slips=1,
@@ -6512,7 +6548,7 @@ LAWS: dict[str, LawSpec] = {
     # law hertz_bristle_2
     "hertz_bristle_2": LawSpec(
         name="hertz_bristle_2",
-        digest="9aaaea561a751a9c",
+        digest="c9cb37880850cb4e",
         doc="d = max(-e, 0) penetration of the gap e, N = max(stiffness d^exponent (1 - dissipation ed), 0), sigma = -N\nenergy = stiffness d^(exponent + 1)/(exponent + 1) + stiffness d^exponent bristle_stiffness z.z/2\ndz/dt = s - bristle_stiffness |s| z/friction in contact, -release z when open\ntau = N (bristle_stiffness z + bristle_damping dz/dt)",
         deformations=1,
         slips=2,
@@ -6558,7 +6594,7 @@ LAWS: dict[str, LawSpec] = {
     # law journal
     "journal": LawSpec(
         name="journal",
-        digest="9aaaea561a751a9c",
+        digest="c9cb37880850cb4e",
         doc="N_i = stiffness e_i + damping ed_i in two directions (i = 0, 1), N = |(N_0, N_1)|\ntorque = friction_radius N w/sqrt(w^2 + slip_speed^2) on the angle e_2, w = ed_2",
         deformations=3,
         slips=0,
@@ -6598,7 +6634,7 @@ LAWS: dict[str, LawSpec] = {
     # law friction
     "friction": LawSpec(
         name="friction",
-        digest="9aaaea561a751a9c",
+        digest="c9cb37880850cb4e",
         doc="sigma = limit w/sqrt(w^2 + speed^2), w = edot",
         deformations=1,
         slips=0,
@@ -6634,7 +6670,7 @@ LAWS: dict[str, LawSpec] = {
     # law slip_friction
     "slip_friction": LawSpec(
         name="slip_friction",
-        digest="9aaaea561a751a9c",
+        digest="c9cb37880850cb4e",
         doc="tau = limit w/sqrt(w^2 + speed^2), w the slip",
         deformations=0,
         slips=1,
@@ -6670,7 +6706,7 @@ LAWS: dict[str, LawSpec] = {
     # law limits
     "limits": LawSpec(
         name="limits",
-        digest="9aaaea561a751a9c",
+        digest="c9cb37880850cb4e",
         doc="above = max(0, e - high), below = max(0, low - e)\nsigma = stiffness (above max(0, 1 + damping edot) - below max(0, 1 - damping edot))",
         deformations=1,
         slips=0,
@@ -6712,7 +6748,7 @@ LAWS: dict[str, LawSpec] = {
     # law loose_journal
     "loose_journal": LawSpec(
         name="loose_journal",
-        digest="9aaaea561a751a9c",
+        digest="c9cb37880850cb4e",
         doc="r = |(e_0, e_1)|, depth = max(0, r - gap), N = stiffness depth max(0, 1 + damping dr/dt)\nsigma_i = N e_i/r (i = 0, 1);  torque = friction_radius N w/sqrt(w^2 + slip_speed^2) on e_2, w = ed_2",
         deformations=3,
         slips=0,
@@ -6753,7 +6789,7 @@ LAWS: dict[str, LawSpec] = {
     # law loose_ball
     "loose_ball": LawSpec(
         name="loose_ball",
-        digest="9aaaea561a751a9c",
+        digest="c9cb37880850cb4e",
         doc="r = |(e_0, e_1, e_2)|, depth = max(0, r - gap), N = stiffness depth max(0, 1 + damping dr/dt)\nsigma_i = N e_i/r",
         deformations=3,
         slips=0,
@@ -6792,7 +6828,7 @@ LAWS: dict[str, LawSpec] = {
     # law held
     "held": LawSpec(
         name="held",
-        digest="9aaaea561a751a9c",
+        digest="c9cb37880850cb4e",
         doc="sigma = -u, du/dt = 0",
         deformations=1,
         slips=0,
@@ -6827,7 +6863,7 @@ LAWS: dict[str, LawSpec] = {
     # law slip_held
     "slip_held": LawSpec(
         name="slip_held",
-        digest="9aaaea561a751a9c",
+        digest="c9cb37880850cb4e",
         doc="tau = -u, du/dt = 0",
         deformations=0,
         slips=1,
@@ -6862,7 +6898,7 @@ LAWS: dict[str, LawSpec] = {
     # law memory
     "memory": LawSpec(
         name="memory",
-        digest="9aaaea561a751a9c",
+        digest="c9cb37880850cb4e",
         doc="dz/dt = 0, without a force",
         deformations=0,
         slips=0,

@@ -24,6 +24,7 @@ PIECES = _SIZES["origins"]
 TERMS = _SIZES["coefficients"] // PIECES
 NEVER = LARGEST  # a break that no argument reaches
 CONTINUOUS = 1e-6  # largest jump at a break, relative to the terms that sum up there: rounded data pass
+SMOOTH = 1e-6  # largest jump of the slope, relative to the slopes on both sides, that ends no step
 
 
 @dataclass(frozen=True)
@@ -134,12 +135,25 @@ class Curve:
         filled[: origins.size] = origins - at
         ends = np.full(PIECES - 1, NEVER)
         ends[: breaks.size] = breaks - at
+        kinks = ends.copy()
+        kinks[: breaks.size][self._is_smooth()] = NEVER
         return {
             "breaks": ends,
+            "kinks": kinks,
             "origins": filled,
             "coefficients": c.ravel(),
             "stored": self._stored(at, origins),
         }
+
+    def _is_smooth(self) -> Array:
+        """Whether the slope is the same on both sides of each break."""
+        slopes = [
+            [_value([k * c for k, c in enumerate(piece)][1:], Fraction(float(b))) for piece in pair]
+            for pair, b in self._joints()
+        ]
+        return np.array(
+            [abs(left - right) <= SMOOTH * (abs(left) + abs(right)) for left, right in slopes], dtype=bool
+        )
 
     def _stored(self, at: float, origins: Array) -> Array:
         """Return the energy at the origins of the pieces; zero at x = at."""

@@ -14,6 +14,12 @@ BREAKS = Parameter(
 )
 ORIGINS = Parameter("origins", PIECES, "m or m/s", "from where the powers of each piece are counted")
 COEFFICIENTS = Parameter("coefficients", PIECES * (DEGREE + 1), "N, N/m, ...", "of each piece, rising powers")
+KINKS = Parameter(
+    "kinks",
+    PIECES - 1,
+    "m or m/s",
+    "breaks at which the slope jumps, where steps end; unused ones very large",
+)
 STORED = Parameter("stored", PIECES, "J", "energy at the origin of each piece")
 
 
@@ -37,13 +43,14 @@ def _curve(name: str, x: Symbol, doc: str, stored: bool) -> Law:
     return Law(
         name=name,
         doc=doc,
-        parameters=(BREAKS, ORIGINS, COEFFICIENTS, *([STORED] if stored else [])),
+        parameters=(BREAKS, ORIGINS, COEFFICIENTS, *([STORED] if stored else []), KINKS),
         e=(symbol("e"),),
         ed=(symbol("ed"),),
         s=(),
         sigma=(force,),
         tau=(),
         energy=energy if stored else Rational(0),
+        begins=tuple(x - kink for kink in KINKS.symbols),
         source="piecewise polynomial",
         let=let.entries,
     )

@@ -162,7 +162,7 @@ def simulate(
         flag(progress, "simulate", "progress")
     given: dict[str, Any] = {"rtol": rtol, "atol": atol, "step": step, "first_step": first_step}
     given |= {"max_step": max_step, "spectral_radius": spectral_radius, "newton": newton}
-    free = method == methods.AUTO and not system.roles.actuated
+    asked = method
     method, why, begin, grid, options = planned(
         system,
         duration,
@@ -174,6 +174,7 @@ def simulate(
         rechoose=rechoose,
         **given,
     )
+    free = asked == methods.AUTO and not system.roles.actuated
     keeper = None if checkpoint is None else Checkpoint(checkpoint, system, begin, grid, method, options)
     before = None if keeper is None else keeper.before()
     if before is not None:

@@ -126,8 +126,11 @@ def rope_gaps(tables: Tables) -> Index:
 
 
 def every_gap(tables: Tables) -> Index:
-    """Return the indices in e of all gaps."""
-    return np.flatnonzero(np.array(tables.structure.kinds) == "gap")
+    """Return the indices in e of all gaps on which a law acts; others are measured only, or held."""
+    acting = np.zeros(tables.structure.m, dtype=bool)
+    for batch in tables.laws:
+        acting[batch.places["e"].ravel()] = True
+    return np.flatnonzero((np.array(tables.structure.kinds) == "gap") & acting)
 
 
 def free_gaps(tables: Tables) -> Index:

@@ -17,12 +17,13 @@ STEP = 1e-5  # of the differences, relative to the duration
 ERROR = 0.1  # of a rate, relative to the largest, that is accepted: values may be interpolated in a table
 ROUNDING = 1e-14
 FEWEST = 2  # times at which a rate is wrong: it may jump near one
-PANELS = 8  # in which rates are integrated over a motion; and over half as many, for the error
+PANELS = 8  # in which rates are integrated over a motion
+LEVELS_OF_HALVES = 16  # of panels, where the integral of a rate is in doubt
+MOST_HALVES = 64  # at one level
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(4)
 MISFIT = (
     1e-3  # of the change of a value from the integral of its rate, relative to all changes, that is accepted
 )
-DOUBT = 10.0  # of that, in errors of the integral
 RATES = ("rate u'", "second rate u''")
 VALUES = ("value u", "rate u'")
 
@@ -84,35 +85,58 @@ def _misfits(function: TimeFunction, begin: float, end: float) -> Iterator[str]:
     """Report the same of one function, for its value and its rate."""
     edges = np.linspace(begin, end, PANELS + 1)
     there = _values(function, edges)
-    fine = _integrals(function, edges)
-    coarse = _integrals(function, edges[::2])
     for i, rate in enumerate(RATES):
         changes = np.diff(there[:, i])
-        off = np.abs(np.cumsum(changes - fine[:, i + 1]))
-        unsure = DOUBT * float(np.abs(fine[::2, i + 1] + fine[1::2, i + 1] - coarse[:, i + 1]).sum())
-        size = max(float(np.abs(changes).sum()), float(np.abs(fine[:, i + 1]).sum()))
+        integrals = _integrals(function, edges[:-1], edges[1:])[:, i + 1]
+        size = max(float(np.abs(changes).sum()), float(np.abs(integrals).sum()))
+        allowed = MISFIT * size + ROUNDING * PANELS * float(np.abs(there[:, i]).max())
+        off = np.abs(np.cumsum(changes - integrals))
+        if off.max() > allowed:
+            integrals = _refined(function, edges, i, allowed / PANELS)
+            off = np.abs(np.cumsum(changes - integrals))
         k = int(np.argmax(off))
-        if off[k] - unsure > MISFIT * size + ROUNDING * PANELS * float(np.abs(there[:, i]).max()):
-            total = float(np.cumsum(fine[:, i + 1])[k])
+        if off[k] > allowed:
             yield (
                 f"from t = {begin:.6g} s to {edges[k + 1]:.6g} s its prescribed {VALUES[i]} changes by "
-                f"{there[k + 1, i] - there[0, i]:.6g}, but the integral of the {rate} is {total:.6g}: give u alone, or "
+                f"{there[k + 1, i] - there[0, i]:.6g}, but the integral of the {rate} is "
+                f"{integrals[: k + 1].sum():.6g}: give u alone, or "
                 "correct the triple (u, u', u''); where a rate jumps, give one function of t, whose jumps are found"
             )
 
 
-def _integrals(function: TimeFunction, edges: Array) -> Array:
+def _refined(function: TimeFunction, edges: Array, i: int, allowed: float) -> Array:
+    """Integrate a rate over panels again, in halves where a value does not change by its integral.
+
+    So the short pieces of a function are found, such as rounded corners.  Where the rate is wrong everywhere, or leaves
+    out a jump, halves do not help.
+    """
+    found = np.zeros(edges.size - 1)
+    panel, start, end = np.arange(edges.size - 1), edges[:-1], edges[1:]
+    for level in range(LEVELS_OF_HALVES):
+        integrals = _integrals(function, start, end)[:, i + 1]
+        changes = _values(function, end)[:, i] - _values(function, start)[:, i]
+        split = np.abs(changes - integrals) > allowed * 0.5**level
+        if level == LEVELS_OF_HALVES - 1 or np.count_nonzero(split) > MOST_HALVES:
+            split[:] = False
+        np.add.at(found, panel[~split], integrals[~split])
+        first, last = start[split], end[split]
+        middle: Array = (first + last) / 2
+        panel = np.tile(panel[split], 2)
+        start, end = np.concatenate([first, middle]), np.concatenate([middle, last])
+    return found
+
+
+def _integrals(function: TimeFunction, start: Array, end: Array) -> Array:
     """Integrate value, first and second rate (panels, 3) by Gauss's rule."""
-    half = np.diff(edges) / 2
-    middle = edges[:-1] + half
-    times = middle[:, None] + half[:, None] * NODES
+    half = (end - start) / 2
+    times = (start + half)[:, None] + half[:, None] * NODES
     values = _values(function, times.ravel()).reshape(*times.shape, 3)
     return np.asarray(np.einsum("pgc,g,p->pc", values, WEIGHTS, half))
 
 
 def _values(function: TimeFunction, times: Array) -> Array:
     """Return value, first and second rate at each time (nt, 3)."""
-    return np.array([function.rates(float(t)) for t in times])
+    return np.array([function.rates(float(t)) for t in times]).reshape(-1, 3)
 
 
 def _slopes(function: TimeFunction, times: Array, h: float) -> Array:

@@ -113,9 +113,13 @@ def test_a_law_begins_to_act_where_a_linear_form_is_zero() -> None:
     pressed = [(one, (), ()), (((1.0, (("stiffness", 0, 1),)),), ((1.0, (("damping", 0, 1),)),), ())]
     tyres = ("vertical_tyre", "linear_tyre", "calspan_tyre", "magic_formula")
     level = {name: (one, (), ((-1.0, ((name, 0, 1),)),)) for name in ("gap", "low", "high")}
-    assert begins == {"stop": [level["gap"]], "limits": [level["low"], level["high"]]} | dict.fromkeys(
-        tyres, pressed
-    )
+    kinks = [((-1.0, (("kinks", i, 1),)),) for i in range(15)]
+    curves = {
+        "spring_curve": [(one, (), kink) for kink in kinks],
+        "damper_curve": [((), one, kink) for kink in kinks],
+    }
+    stops = {"stop": [level["gap"]], "limits": [level["low"], level["high"]]}
+    assert begins == stops | curves | dict.fromkeys(tyres, pressed)
 
 
 @pytest.mark.parametrize("expr", ["x", "e**2", "gap", "e*ed", "e - cos(gap)"])

@@ -1,6 +1,7 @@
 """Every motion is audited: its energy balance, events, contacts, prescribed rates, and the energies of its laws."""
 
 import re
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -322,6 +323,26 @@ def test_rates_that_are_a_little_wrong_are_named(method: str) -> None:
         follower(wrong).simulate(2.0, method=method, samples=5)
     right = (lambda t: t**2, lambda t: 2 * t, lambda t: 2.0)
     assert follower(right).simulate(2.0, method=method, samples=5).warnings == ()
+
+
+@pytest.mark.parametrize("corner", [1e-2, 1e-3])
+def test_short_rounded_corners_are_no_wrong_rates(corner: float) -> None:
+    """A ramp that begins and ends within this time [s] of a motion of 2 s: its second rate is a short pulse."""
+
+    def ramp(order: int, t: float) -> float:
+        part = min(max((t - 0.3) / corner, 0.0), 1.0)
+        rounded = (
+            corner * (part**3 - part**4 / 2) + max(t - 0.3 - corner, 0.0),
+            3 * part**2 - 2 * part**3,
+            6 * part * (1 - part) / corner,
+        )
+        return rounded[order]
+
+    right = tuple(partial(ramp, order) for order in range(3))
+    assert follower(right).simulate(2.0, samples=5).warnings == ()
+    wrong = (right[0], lambda t: 1.01 * right[1](t), lambda t: 1.01 * right[2](t))
+    with pytest.warns(fx.AuditWarning, match=r"its prescribed value u changes by .* integral of the rate u'"):
+        follower(wrong).simulate(2.0, samples=5)
 
 
 def test_a_rate_that_jumps_without_its_impulse_is_named() -> None:

@@ -19,6 +19,9 @@ SIMULATIONS = {
     "unknown method": system(lambda s: s.simulate(1, method="RK4"), "'RK4'", "choose one of auto, DOP853"),
     "method in small letters": system(lambda s: s.simulate(1, method="radau"), "'radau'", "choose one of"),
     "method None": system(lambda s: s.simulate(1, method=None), "method None", "choose one of"),
+    "method as a list": system(
+        lambda s: s.simulate(1, method=["DOP853"]), "method ['DOP853']", "choose one of"
+    ),
     "times backwards": system(lambda s: s.simulate(1, times=[0, 0.5, 0.4]), "times", "sort them"),
     "times before the start": system(lambda s: s.simulate(1, times=[-1, 0.4]), "times", "from 0 s"),
     "times after the end": system(lambda s: s.simulate(1, times=[0, 2]), "time 2 s", "lengthen the duration"),

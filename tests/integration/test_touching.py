@@ -48,6 +48,15 @@ def on_a_formula() -> fx.Model:
     return m
 
 
+def on_a_curve() -> fx.Model:
+    """The same with a curve of two pieces."""
+    m = falling()
+    m.point("above", (0, 3 * HEIGHT), fixed=True)
+    m.truss("bar", "above", "ball")
+    m.spring("bar.elongation", fx.Curve([[0.0], [-STIFFNESS * HEIGHT, STIFFNESS]], breaks=[HEIGHT]))
+    return m
+
+
 def between_limits() -> fx.Model:
     """The same by limits of a joint, of which the upper one is not reached."""
     m = falling()
@@ -73,6 +82,7 @@ MODELS: dict[str, tuple[Callable[[], fx.Model], str]] = {
     "floor": (on_a_floor, "ball.y"),
     "stop": (on_a_stop, "ball.y"),
     "formula": (on_a_formula, "ball.y"),
+    "curve": (on_a_curve, "ball.y"),
     "limits": (between_limits, "ball.y"),
     "tyre": (on_a_tyre, "ball.z"),
 }
@@ -150,6 +160,16 @@ def over_a_sheave() -> fx.Model:
     data = {"EA": 1500.0, "EI": 0.4, "mass_per_length": 0.3, "radius": 5e-3, "tension": 10.0}
     m.rope("rope", ["A", "sheave", "B"], 8, contact=contact, **data)
     return m
+
+
+def test_a_smooth_curve_ends_no_step() -> None:
+    """A table through which a curve with a continuous slope passes; its slope jumps at one of two breaks otherwise."""
+    smooth = fx.Curve.through([-1.0, 0.0, 1.0], [-2.0, 0.0, 3.0])
+    assert np.all(smooth.parameters(0.0)["kinks"] > 1e100)
+    pieces = fx.Curve([[0.0, 1.0], [0.0, 1.0], [-1.0, 2.0]], breaks=[0.0, 1.0])
+    kinks = pieces.parameters(0.25)["kinks"]
+    assert kinks[1] == 0.75
+    assert np.all(np.delete(kinks, 1) > 1e100)
 
 
 @pytest.mark.long
