@@ -1,6 +1,8 @@
 /* Whether a step must end earlier for a contact; see touching.h, and touching.py and passed.py, which find out where. */
 #include "touching.h"
 
+#include "evaluate.h"
+
 #include <math.h>
 
 /* The ends of a step of one motion. */
@@ -79,4 +81,64 @@ int flexel_touching_look(const flexel_touching *t, const flexel_work *work, cons
 {
     const step s = {work, x0, e0, w0, x1, h, stride, i};
     return (touches(t, &s) ? FLEXEL_TOUCHES : 0) | (passes(t, &s) ? FLEXEL_PASSES : 0);
+}
+
+/* The cubic through both ends. */
+static double between(double part, double y0, double r0, double y1, double r1)
+{
+    const double weight = part * part * (3 - 2 * part), bend = part * (1 - part);
+    return (1 - weight) * y0 + weight * y1 + bend * ((1 - part) * r0 - part * r1);
+}
+
+double flexel_path_value(flexel_work *work, const flexel_path *p, int row, double part)
+{
+    for (size_t i = 0; i < work->n; i++)
+        work->x[i] = between(part, p->x0[i], p->v0[i], p->x1[i], p->v1[i]);
+    for (size_t i = 0; i < work->m; i++)
+        work->unwrap_from[i] = between(part, p->e0[i], p->w0[i], p->e1[i], p->w1[i]);
+    flexel_position(work);
+    return work->e[row];
+}
+
+/* A line through two points, continued to a third place. */
+static double line(double x0, double y0, double x1, double y1, double x)
+{
+    return y0 + (y1 - y0) / (x1 - x0) * (x - x0);
+}
+
+/* Lower bound of a function with values y at four places x by its secants continued, if it is convex; none if it is not. */
+static double convex_bound(const double *x, const double *y)
+{
+    const double first = line(x[1], y[1], x[2], y[2], x[0]), last = line(x[1], y[1], x[2], y[2], x[3]);
+    if (y[0] < first || y[3] < last)
+        return -INFINITY;
+    const double left = (y[1] - y[0]) / (x[1] - x[0]), right = (y[3] - y[2]) / (x[3] - x[2]);
+    if (!(left < right))
+        return fmin(first, last);
+    const double at = (y[2] - y[1] + left * x[1] - right * x[2]) / (left - right);
+    return fmin(fmin(first, last), y[1] + left * (fmin(fmax(at, x[1]), x[2]) - x[1]));
+}
+
+double flexel_path_lowest(flexel_work *work, const flexel_path *p, int row, double near, double *lowest)
+{
+    static const double GOLDEN = 0.6180339887498949, EXACT = 1e-7; /* of the whole path */
+    double x[4] = {0, 1 - GOLDEN, GOLDEN, 1};
+    double y[4] = {p->e0[row], 0, 0, p->e1[row]};
+    y[1] = flexel_path_value(work, p, row, x[1]);
+    y[2] = flexel_path_value(work, p, row, x[2]);
+    while (x[3] - x[0] > EXACT && convex_bound(x, y) < near) {
+        if (y[1] < y[2]) {
+            x[3] = x[2], y[3] = y[2];
+            x[2] = x[1], y[2] = y[1];
+            x[1] = x[3] - GOLDEN * (x[3] - x[0]);
+            y[1] = flexel_path_value(work, p, row, x[1]);
+        } else {
+            x[0] = x[1], y[0] = y[1];
+            x[1] = x[2], y[1] = y[2];
+            x[2] = x[0] + GOLDEN * (x[3] - x[0]);
+            y[2] = flexel_path_value(work, p, row, x[2]);
+        }
+    }
+    *lowest = fmin(y[1], y[2]);
+    return y[1] < y[2] ? x[1] : x[2];
 }

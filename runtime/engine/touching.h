@@ -25,6 +25,18 @@ typedef struct {
  * deformations e and their rates w at the start (0), coordinates at the end (1); the rest of the end is in `work`. */
 int flexel_touching_look(const flexel_touching *t, const flexel_work *work, const double *x0, const double *e0,
                          const double *w0, const double *x1, double h, size_t stride, size_t i);
+
+/* A step whose coordinates and deformations are interpolated by the cubic through its ends (0 and 1), with rates per step. */
+typedef struct {
+    const double *x0, *v0, *e0, *w0, *x1, *v1, *e1, *w1;
+} flexel_path;
+
+/* A deformation at a part of a path, from 0 to 1; the workspace is changed. */
+double flexel_path_value(flexel_work *work, const flexel_path *p, int row, double part);
+
+/* The part of a path at which a deformation is smallest, and that value. It is convex along the path, or nearly so: the search
+ * ends early where it cannot be less than `near`. */
+double flexel_path_lowest(flexel_work *work, const flexel_path *p, int row, double near, double *lowest);
 /* cdef: end */
 
 #endif

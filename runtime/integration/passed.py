@@ -2,27 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from scipy.optimize import brentq, minimize_scalar
+from scipy.optimize import brentq
 
 from flexel.base.arrays import Array, Index
 from flexel.engine.contact_selection import free_gaps
 from flexel.engine.evaluate import Evaluation
+from flexel.engine.step_path import StepPath
 from flexel.engine.workspace import Workspace
 from flexel.mechanics.kinematics import size_of
-from flexel.mechanics.states import between
 from flexel.model.snapshot import Snapshot
 
 DEPTH = 1e-6  # depth of a contact that does not matter, relative to the size of the model
 CLOSE = (
     1e-9  # share of a step, at its ends, in which a contact may begin or end: it shifts the rates by as much
 )
-EXACT = 1e-7  # of the time of the minimum of a gap, relative to the step
-LOOKS = 50  # at a gap, for its minimum in a step
 UNSURE = (
     0.1  # gap in a step, relative to the larger one at its ends, and share of the step: not known exactly
 )
@@ -117,49 +115,27 @@ class Passages:
                 self._looked += 1
                 first, last = ends[int(step)]
                 row = int(self.rows[contact])
-                t, gap = _deepest(self._gap(first, last, row), first, last)
+                part, gap = StepPath(self._work, first, last).lowest(row, 0.0)
                 if gap < -self.least:
+                    t = first.t + part * (last.t - first.t)
                     self.found.append(Passage(self._evaluation.structure.names[row], t, -gap))
 
     def _begin(self, first: Snapshot, last: Snapshot, row: int, close: float) -> float:
         """Return when a step must end that may pass a contact."""
-        gap, h = self._gap(first, last, row), last.t - first.t
-        t, lowest = _deepest(gap, first, last)
+        path, h, wide = StepPath(self._work, first, last), last.t - first.t, max(first.e[row], last.e[row])
+        part, lowest = path.lowest(row, UNSURE * wide)
         if first.e[row] <= 0:
-            return t
+            return first.t + part * h
         if lowest >= -self.least:  # the path is interpolated: a step up to there shows how close it is
-            near = lowest < UNSURE * max(first.e[row], last.e[row])
-            return t if near and UNSURE * h < t - first.t < (1 - UNSURE) * h else np.inf
-        begin = float(brentq(gap, first.t, t))
-        return begin if begin - first.t > close * h else t
-
-    def _gap(self, first: Snapshot, last: Snapshot, row: int) -> Callable[[float], float]:
-        """Return a gap as a function of time within a step."""
-        work = self._work
-
-        def gap(t: float) -> float:
-            guess = between(first, last, t)
-            work.x[:], work.unwrap_from[:] = guess.x, guess.e
-            work.position()
-            return float(work.e[row])
-
-        return gap
+            near = lowest < UNSURE * wide and UNSURE < part < 1 - UNSURE
+            return first.t + part * h if near else np.inf
+        begin = float(brentq(lambda part: path.value(row, part), 0.0, part))
+        return first.t + (begin if begin > close else part) * h
 
 
 def _ends(first: Snapshot, last: Snapshot) -> tuple[Array, Array, Array, Array]:
     """Return deformations and their rates at both ends of a step."""
     return first.e, first.ed, last.e, last.ed
-
-
-def _deepest(gap: Callable[[float], float], first: Snapshot, last: Snapshot) -> tuple[float, float]:
-    """Return when a gap is smallest in a step, and that gap."""
-    found = minimize_scalar(
-        gap,
-        bounds=(first.t, last.t),
-        method="bounded",
-        options={"maxiter": LOOKS, "xatol": EXACT * (last.t - first.t)},
-    )
-    return float(found.x), float(found.fun)
 
 
 def lowest_bound(g0: Array, r0: Array, g1: Array, r1: Array, h: Array | float) -> Array:
