@@ -56,9 +56,10 @@ def simulate(
     DOP853 and Radau integrate the degrees of freedom.  The generalized-alpha method integrates all coordinates together
     with the constraint forces, at a cost per step that grows linearly with the number of elements; it is for stiff and
     large models, and gives the energy balance.  A step is halved if it does not converge, and up to a few times where a
-    contact begins.  All methods locate events and give states at any time (`Motion.at`); generalized-alpha takes the
-    steps that lead there again.  Other integrators, such as those of ``scipy.integrate.solve_ivp``, can integrate
-    `System.rhs`.
+    rope comes to touch.  The steps of all methods end where a contact, a stop or a tyre begins or ends to act, and at
+    the kinks of curves and formulas; constant steps do not.  All methods locate events and give states at any time
+    (`Motion.at`); generalized-alpha takes the steps that lead there again.  Other integrators, such as those of
+    ``scipy.integrate.solve_ivp``, can integrate `System.rhs`.
 
     Parameters
     ----------
