@@ -136,7 +136,7 @@ class Curve:
         ends = np.full(PIECES - 1, NEVER)
         ends[: breaks.size] = breaks - at
         kinks = ends.copy()
-        kinks[: breaks.size][self._is_smooth()] = NEVER
+        kinks[: breaks.size][self._smooth()] = NEVER
         return {
             "breaks": ends,
             "kinks": kinks,
@@ -145,15 +145,14 @@ class Curve:
             "stored": self._stored(at, origins),
         }
 
-    def _is_smooth(self) -> Array:
+    def _smooth(self) -> Array:
         """Whether the slope is the same on both sides of each break."""
         slopes = [
             [_value([k * c for k, c in enumerate(piece)][1:], Fraction(float(b))) for piece in pair]
             for pair, b in self._joints()
         ]
-        return np.array(
-            [abs(left - right) <= SMOOTH * (abs(left) + abs(right)) for left, right in slopes], dtype=bool
-        )
+        left, right = np.array(slopes).reshape(-1, 2).T
+        return np.asarray(np.abs(left - right) <= SMOOTH * (np.abs(left) + np.abs(right)))
 
     def _stored(self, at: float, origins: Array) -> Array:
         """Return the energy at the origins of the pieces; zero at x = at."""

@@ -207,8 +207,9 @@ def _verified(law: Any, limits: dict[str, tuple[float, float]]) -> Formula:
 
     if TIME in law.sigma[0].free_symbols:
         limits = {"t": SECONDS, **limits}
+    forms = _forms(law)
     if "e" in limits:
-        return _accepted(law, limits)
+        return _accepted(forms, limits)
     # the formula is examined on both sides of its kinks
     farthest = max((2 * abs(place) for place in kinks(law.sigma[0], law.e[0])), default=0.0)
     widths = (farthest, *WIDTHS) if farthest > WIDTHS[0] else WIDTHS
@@ -216,32 +217,42 @@ def _verified(law: Any, limits: dict[str, tuple[float, float]]) -> Formula:
     for width in widths:
         if (between := _real(law, width, limits.get("t", SECONDS))) is not None:
             try:
-                return _accepted(law, {**limits, "e": between})
+                return _accepted(forms, {**limits, "e": between})
             except VerificationError as error:  # such as differences of a high power over a wide range
                 failed = error
     if failed is not None:
         raise failed
-    return _accepted(law, {**limits, "e": (-1.0, 1.0)})
+    return _accepted(forms, {**limits, "e": (-1.0, 1.0)})
 
 
-def _accepted(law: Any, limits: dict[str, tuple[float, float]]) -> Formula:
-    """Compile and verify the law with its numbers as parameters, or with fixed numbers where that fails."""
-    from flexel.derive.accept import accepted_law
+def _forms(law: Any) -> list[tuple[Any, tuple[float, ...]]]:
+    """Return a law with its numbers as parameters and their values, if it has any, and as it is; with their kinks."""
     from flexel.derive.begins import with_begins
     from flexel.derive.general import general
 
     shape, values = general(law)
     shape = with_begins(shape, values)
-    symbols = shape.parameter_symbols if values else ()
-    fixed = {symbol.name: (value, value) for symbol, value in zip(symbols, values, strict=True)}
-    if values:
+    if not values:
+        return [(shape, ())]
+    numbers = dict(zip(shape.parameter_symbols, values, strict=True))
+    fixed = replace(law, begins=tuple(line.subs(numbers) for line in shape.begins))
+    return [(shape, values), (fixed, ())]
+
+
+def _accepted(forms: list[tuple[Any, tuple[float, ...]]], limits: dict[str, tuple[float, float]]) -> Formula:
+    """Compile and verify a law with its numbers as parameters, or with fixed numbers where that fails."""
+    from flexel.derive.accept import accepted_law
+
+    *with_numbers, (law, _) = forms
+    for shape, values in with_numbers:
+        fixed = {symbol.name: (z, z) for symbol, z in zip(shape.parameter_symbols, values, strict=True)}
         try:
             return Formula(accepted_law(shape, {**limits, **fixed}), {FORMULA_NUMBERS: np.array(values)})
         except (
             ValueError
         ):  # such as a base that must be a number: what is wrong with the law itself is found below
             pass
-    return Formula(accepted_law(with_begins(law, ()), limits), {})
+    return Formula(accepted_law(law, limits), {})
 
 
 def _real(law: Any, width: float, times: tuple[float, float]) -> tuple[float, float] | None:

@@ -9,11 +9,6 @@ from flexel.engine.structs import Struct
 from flexel.engine.workspace import Workspace
 from flexel.generated._kernels import ffi, lib
 
-_look, _numbers, DOUBLES = (
-    lib.flexel_touching_look,
-    ffi.from_buffer,
-    ffi.typeof("double[]"),
-)  # called in each step
 TOUCHES, PASSES = lib.FLEXEL_TOUCHES, lib.FLEXEL_PASSES
 
 
@@ -72,6 +67,5 @@ class ContactLook(Struct):
         end : Workspace
             It holds the end.
         """
-        x0, e0, w0 = first
-        here = _numbers(DOUBLES, x0), _numbers(DOUBLES, e0), _numbers(DOUBLES, w0), _numbers(DOUBLES, x1)
-        return _look(self.struct, end.struct, *here, h, 1, 0)  # type: ignore[no-any-return]
+        x0, e0, w0, x1 = (ffi.from_buffer("double[]", numbers) for numbers in (*first, x1))
+        return int(lib.flexel_touching_look(self.struct, end.struct, x0, e0, w0, x1, h, 1, 0))

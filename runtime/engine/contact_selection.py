@@ -127,6 +127,8 @@ def rope_gaps(tables: Tables) -> Index:
 
 def every_gap(tables: Tables) -> Index:
     """Return the indices in e of all gaps on which a law acts; others are measured only, or held."""
+    if "gap" not in tables.structure.kinds:
+        return np.zeros(0, dtype=np.intp)
     acting = np.zeros(tables.structure.m, dtype=bool)
     for batch in tables.laws:
         acting[batch.places["e"].ravel()] = True
@@ -135,4 +137,5 @@ def every_gap(tables: Tables) -> Index:
 
 def free_gaps(tables: Tables) -> Index:
     """Return the indices in e of the gaps that are not along ropes: of these, their neighbours hold each."""
-    return np.setdiff1d(every_gap(tables), rope_gaps(tables))
+    every = every_gap(tables)
+    return np.setdiff1d(every, rope_gaps(tables)) if every.size else every

@@ -8,7 +8,8 @@ from functools import cached_property
 
 import numpy as np
 
-from flexel.engine.contact_selection import every_gap, free_gaps
+from flexel.base.arrays import Index
+from flexel.engine.contact_selection import every_gap
 from flexel.engine.step_control import StepControl
 from flexel.engine.workspace import Workspace
 from flexel.integration.alpha import AlphaStepper
@@ -57,28 +58,29 @@ class AlphaAttempts(Attempts):
     balance : EnergyBalance
         That of the motion.
     control : Control
+    gaps : ndarray of int
+        Those whose depth each step must resolve.
+    compared : bool
+        Whether the ends of steps are compared, so that their points are copied.
 
     Attributes
     ----------
-    gaps : ndarray of int
-        Those that end steps, and whose depth each step must resolve.
     wish : float
         Length of the next step [s].
-    compared : bool
-        Whether the ends of steps are compared, so that their points are copied.
     rejected, at_contact : int
         Trials that were refused, and of these the ones because of contacts.
     """
 
-    def __init__(self, stepper: AlphaStepper, balance: EnergyBalance, control: Control) -> None:
-        self.stepper, self.balance, self.control = stepper, balance, control
-        tables = stepper.work.tables
-        self.gaps, self._contacts = free_gaps(tables), bool(every_gap(tables).size)
+    def __init__(
+        self, stepper: AlphaStepper, balance: EnergyBalance, control: Control, gaps: Index, compared: bool
+    ) -> None:
+        self.stepper, self.balance, self.control, self._compared = stepper, balance, control, compared
+        self._gaps, self._contacts = gaps, bool(every_gap(stepper.work.tables).size)
         self.wish = min(control.first, control.longest)
         self.rejected = self.at_contact = self._halvings = self._false = 0
         self._refused = (0.0, 0.0)  # length and error of a trial that was refused for its internal states
         self._end = self._shortest = self._asked = self._h = self._next = 0.0
-        self._error, self._cut, self.compared = 0.0, False, True
+        self._error, self._cut = 0.0, False
 
     def aim(self, end: float, shortest: float) -> None:
         """Prepare a step that divides the time up to another one [s], or a shorter one."""
@@ -108,7 +110,7 @@ class AlphaAttempts(Attempts):
         """Return the point at the end of the step that was found."""
         end, work = self.stepper.t + self._h, self.stepper.work
         t = self._end if abs(end - self._end) < NEAR * self._h else end
-        if not self.compared:
+        if not self._compared:
             return Snapshot(t, work.x, work.v, work.e, work.w)
         return Snapshot(t, work.x.copy(), work.v.copy(), work.e.copy(), work.w[: work.e.size].copy())
 
@@ -150,14 +152,14 @@ class AlphaAttempts(Attempts):
 
         A contact that begins is as deep as the step has let it be, so that steps become short beside its duration.
         """
-        if self.control.constant or not self.gaps.size:
+        if self.control.constant or not self._gaps.size:
             return False
         work = self.stepper.work
-        depth = -np.minimum(self.stepper.stepping.old["e"][self.gaps], work.e[self.gaps])
+        depth = -np.minimum(self.stepper.stepping.old["e"][self._gaps], work.e[self._gaps])
         closed = depth > 0
         if not closed.any():
             return False
-        error = np.abs(work.jvp(self.stepper.local_errors(h))[self.gaps[closed]])
+        error = np.abs(work.jvp(self.stepper.local_errors(h))[self._gaps[closed]])
         return bool(np.any(error > DEEP * depth[closed]))
 
     def _deep(self) -> bool:

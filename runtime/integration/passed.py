@@ -24,7 +24,6 @@ CLOSE = (
 UNSURE = (
     0.1  # gap in a step, relative to the larger one at its ends, and share of the step: not known exactly
 )
-NONE: Index = np.zeros(0, dtype=np.intp)
 MOST = 200  # steps that are looked into: the first ones that may have passed a contact
 
 
@@ -71,8 +70,7 @@ class Passages:
 
     def __init__(self, evaluation: Evaluation) -> None:
         self._evaluation = evaluation
-        contacts = "gap" in evaluation.structure.kinds
-        self.rows = free_gaps(evaluation.tables) if contacts else NONE
+        self.rows = free_gaps(evaluation.tables)
         self.any = bool(self.rows.size)
         self.least = DEPTH * size_of(evaluation.structure) if self.any else 0.0
         self.found: list[Passage] = []
@@ -106,7 +104,7 @@ class Passages:
             return
         g0, r0, g1, r1 = (
             np.array([part[self.rows] for part in column])
-            for column in zip(*(_ends(*z) for z in ends), strict=True)
+            for column in zip(*((a.e, a.ed, b.e, b.ed) for a, b in ends), strict=True)
         )
         h = np.array([[last.t - first.t] for first, last in ends])
         lowest = lowest_bound(g0, r0, g1, r1, h)
@@ -131,11 +129,6 @@ class Passages:
             return first.t + part * h if near else np.inf
         begin = float(brentq(lambda part: path.value(row, part), 0.0, part))
         return first.t + (begin if begin > close else part) * h
-
-
-def _ends(first: Snapshot, last: Snapshot) -> tuple[Array, Array, Array, Array]:
-    """Return deformations and their rates at both ends of a step."""
-    return first.e, first.ed, last.e, last.ed
 
 
 def lowest_bound(g0: Array, r0: Array, g1: Array, r1: Array, h: Array | float) -> Array:

@@ -70,10 +70,10 @@ class GeneralizedAlpha(Run):
         self.control = control
         if not control.constant:
             self.stepper.expect(start, duration, control.tolerance, control.absolute)
-        self._attempts = AlphaAttempts(stepper, self.energy_balance, control)
-        tables = stepper.work.tables
-        self._touching = TouchingContacts(tables, abrupt_gaps(tables), self.passed, sees_inside=False)
-        self._attempts.compared = self._touching.look.any
+        tables, gaps = stepper.work.tables, self.passed.rows
+        self._touching = TouchingContacts(tables, abrupt_gaps(tables, gaps), self.passed, sees_inside=False)
+        compared = self._touching.look.any
+        self._attempts = AlphaAttempts(stepper, self.energy_balance, control, gaps, compared)
         self._steps = self._cuts = 0
         self.now = Snapshot.of(start)
         self._anchor, self._multiple = start.t, 0  # from where constant steps are counted

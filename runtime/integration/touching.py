@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from math import prod
 
 import numpy as np
 from scipy.optimize import brentq
@@ -11,7 +12,6 @@ from flexel.base.arrays import Array, Index
 from flexel.derive.spec import TermSpec
 from flexel.engine.batches import Batch
 from flexel.engine.contact_look import PASSES, TOUCHES, ContactLook
-from flexel.engine.contact_selection import free_gaps
 from flexel.engine.tables import Tables
 from flexel.engine.workspace import Workspace
 from flexel.integration.passed import CLOSE, Passages
@@ -103,21 +103,22 @@ class TouchingContacts:
         return [float(brentq(_cubic, 0.0, 1.0, args=tuple(g[:, i].tolist()))) for i in crossed]
 
 
-def abrupt_gaps(tables: Tables) -> Index:
-    """Return the indices in e of gaps, except along ropes, whose forces begin more abruptly than with `HERTZ`."""
+def abrupt_gaps(tables: Tables, gaps: Index) -> Index:
+    """Return those of some gaps, indices in e, whose forces begin more abruptly than with `HERTZ`."""
     abrupt = np.ones(tables.structure.m, dtype=bool)
     for batch, p in zip(tables.laws, tables.parameters[1], strict=True):
         if any(parameter.name == "exponent" for parameter in batch.spec.parameters):
             abrupt[batch.places["e"][:, 0]] = _columns(batch, p)["exponent", 0] < HERTZ
-    gaps = free_gaps(tables)
     return gaps[abrupt[gaps]]
 
 
 def _begins(tables: Tables) -> Iterator[tuple[Index, Array, Array, Array]]:
     """Yield the first deformations of laws that begin to act somewhere, and the coefficients of what is zero there."""
     for batch, p in zip(tables.laws, tables.parameters[1], strict=True):  # p: the parameters of a variant
+        if not batch.spec.begins:
+            continue
+        rows, columns = batch.places["e"][:, 0], _columns(batch, p)
         for begin in batch.spec.begins:
-            rows, columns = batch.places["e"][:, 0], _columns(batch, p)
             value, rate, rest = (
                 _sum(terms, columns, rows.size) for terms in (begin.value, begin.rate, begin.rest)
             )
@@ -136,7 +137,7 @@ def _sum(terms: Sequence[TermSpec], columns: dict[tuple[str, int], Array], size:
     found = np.zeros(size)
     for term in terms:
         powers = [columns[name, component] ** n for name, component, n in term.powers]
-        found += term.factor * np.prod(powers, axis=0)
+        found += term.factor * prod(powers)
     return found
 
 

@@ -26,9 +26,14 @@ def series(loops: int) -> fx.System:
     return m.build()
 
 
+def weight(loops: int) -> float:
+    """Weight of cranks and couplers over their inertia [1/s²]: all cranks are one pendulum."""
+    return G * ((loops + 1) / 2 + loops) / ((loops + 1) / 3 + loops)
+
+
 def exact(loops: int, speed: float, times: Array) -> Array:
-    """The angle of all cranks: a pendulum with the inertia and weight of cranks and couplers."""
-    k = G * ((loops + 1) / 2 + loops) / ((loops + 1) / 3 + loops)
+    """The angle of all cranks."""
+    k = weight(loops)
     found = solve_ivp(
         lambda t, y: [y[1], -k * np.cos(y[0])],
         (0, DURATION),
@@ -46,7 +51,7 @@ def growth(loops: int, speed: float) -> float:
 
     Upright, the cranks fall: what is lost of their largest speed counts there, the more the slower they pass.
     """
-    k = G * ((loops + 1) / 2 + loops) / ((loops + 1) / 3 + loops)
+    k = weight(loops)
     found = solve_ivp(
         lambda t, y: [y[1], -k * np.cos(y[0]), y[3], k * np.sin(y[0]) * y[2], y[5], k * np.sin(y[0]) * y[4]],
         (0, DURATION),
