@@ -14,7 +14,6 @@ from flexel.engine.covered import Covered, ranges
 from flexel.engine.lane_workspace import LaneWorkspace
 from flexel.engine.lanes import LANES, aligned
 from flexel.engine.rotations import LISTS, Rotations
-from flexel.engine.step_control import StepControl
 from flexel.engine.structs import Struct
 from flexel.generated._kernels import ffi, lib
 
@@ -233,7 +232,6 @@ class LaneRun(LaneStruct):
         choice: LaneCoordinateWork,
         steps: LaneSteps,
         rules: Mapping[str, float],
-        control: StepControl,
         look: ContactLook,
     ) -> None:
         super().__init__(ffi.new("flexel_lanes *"))
@@ -247,7 +245,6 @@ class LaneRun(LaneStruct):
         self.look = LaneLook(c.touching, look)
         for name, value in rules.items():
             setattr(c, name, value)
-        control.give(c.control)
         self.doing, self.taken, self.refused, self.tries = (self._counts(name) for name in COUNTS)
         found = [self.wide(name, 1)[0] for name in NUMBERS]
         self.t, self.h, self.first, self.to, self.until, self.amplification, _, self.allowed, *rest = found

@@ -7,8 +7,8 @@
 #ifndef FLEXEL_LANES_H
 #define FLEXEL_LANES_H
 
+#include "dop853_rules.h"
 #include "runge_kutta.h"
-#include "step_control.h"
 #include "touching.h"
 
 /* cdef: begin */
@@ -26,10 +26,9 @@ typedef struct {
     double *accept; /* error of a position below which J is taken from before the last correction */
     /* start of the step: rates of coordinates (n), deformations and their rates (m each) */
     double *v, *e, *w;
-    /* rules of the step control, see dop853.py */
     double end, longest, shortest; /* times [s] */
-    flexel_control control;
-    double predicted, turns, farthest, floor, exact, unamplified, atol, dip;
+    flexel_rules rules;
+    double dip; /* see dips.h */
     /* of each lane: what it does, steps taken and refused, and refused since the start of the step */
     int *doing, *taken, *refused, *tries;
     /* time, the next step, the first one tried from here, and the end of the last trial; time of which a step is passed on */

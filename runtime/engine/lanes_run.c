@@ -1,4 +1,4 @@
-/* Step control of every lane; see lanes.h. These are the rules of dop853.py for steps where nothing unusual happens. */
+/* Step control of every lane; see lanes.h. */
 #include "lanes_inside.h"
 
 #include <math.h>
@@ -23,22 +23,24 @@ static void propose(flexel_lanes *l, flexel_trial *trial)
     }
 }
 
-/* Whether the solution has the predicted coordinates and rates, in degrees of freedom that are good enough. */
-static int trusted(const flexel_lanes *l, const flexel_trial *trial, size_t i)
+/* What a trial has found in one lane. */
+static flexel_step_found found(const flexel_trial *trial, size_t i)
 {
-    const double rtol = l->steps->rtol, expected = trial->error_x[i] + l->amplification[i] * (l->atol + rtol);
-    const double allowed = l->atol + rtol * trial->fastest[i], enlarged = fmax(l->amplification[i], 1);
-    return trial->defect[i] <= l->farthest * fmax(expected, l->floor) &&
-           trial->defect_v[i] <= fmin(trial->error_v[i], l->predicted * trial->fastest[i]) + enlarged * allowed &&
-           (trial->defect_v[i] <= l->exact * (trial->error_v[i] + allowed) || l->amplification_new[i] <= l->unamplified) &&
-           l->amplification_new[i] <= l->allowed[i];
+    return (flexel_step_found){fmax(trial->error[i], trial->error_own[i]),
+                               trial->error_x[i],
+                               trial->error_v[i],
+                               trial->error_turns[i],
+                               trial->defect[i],
+                               trial->defect_v[i],
+                               trial->fastest[i],
+                               trial->changed[i] != 0};
 }
 
-/* Whether a trial may have been refused because a stage is close to a flat position. */
-static int suspicious(const flexel_lanes *l, const flexel_trial *trial, size_t i)
+/* Whether the step is where it was predicted, in degrees of freedom that are good enough. */
+static int trusted(const flexel_lanes *l, const flexel_step_found *step, size_t i)
 {
-    const double allowed = l->atol + l->steps->rtol * trial->fastest[i];
-    return trial->changed[i] || !(trial->defect_v[i] <= l->exact * (trial->error_v[i] + allowed));
+    return flexel_step_trusted(&l->rules, step, l->amplification[i], l->amplification_new[i]) &&
+           l->amplification_new[i] <= l->allowed[i];
 }
 
 /* Whether a contact, or the force of a law, begins or ends in a step, or a contact may have been passed. */
@@ -59,20 +61,21 @@ static int dips(flexel_lanes *l, size_t i)
 /* What becomes of a trial in one lane: its step is good, or tried again with another length, or the lane stops. */
 static int conclude(flexel_lanes *l, const flexel_trial *trial, size_t i)
 {
-    const double own = fmax(trial->error[i], trial->error_own[i]), turns = trial->error_turns[i] / l->turns;
-    const double parts = own + trial->error_x[i] + turns, error = fmax(fmax(own, trial->error_x[i] / l->predicted), turns);
-    const int unusual = error < 1 ? trial->changed[i] || !trusted(l, trial, i) : l->tries[i] || suspicious(l, trial, i);
-    if (trial->failed[i] || !isfinite(parts) || unusual) {
+    const flexel_step_found step = found(trial, i);
+    const double error = flexel_error_of_step(&l->rules, &step);
+    const int unusual = error < 1 ? step.changed || !trusted(l, &step, i)
+                                  : isinf(error) || l->tries[i] || flexel_step_suspicious(&l->rules, &step);
+    if (trial->failed[i] || unusual) {
         l->doing[i] = FLEXEL_STOPPED;
         return 0;
     }
     const double h = trial->h[i];
     if (!(error < 1)) {
-        l->h[i] = h * flexel_shorter(&l->control, l->control.safety, error);
+        l->h[i] = h * flexel_shorter(&l->rules.control, l->rules.control.safety, error);
         l->tries[i]++;
         return 0;
     }
-    const double factor = flexel_longer(&l->control, error);
+    const double factor = flexel_longer(&l->rules.control, error);
     l->h[i] = h * (l->tries[i] ? fmin(1, factor) : factor);
     return 1;
 }

@@ -89,9 +89,9 @@ class Account(Struct):
         for name, value in self._method.items():
             setattr(self.struct, name, value)
 
-    def note(self, t: float) -> None:
-        """Remember the account at a time [s], the end of a step."""
-        self._noted.append((t, self._bytes[:]))
+    def note(self, t: float, balance: bytes | None = None) -> None:
+        """Remember the account, or what it was, at a time [s], the end of a step."""
+        self._noted.append((t, self._bytes[:] if balance is None else balance))
 
     def back(self, t: float) -> float:
         """Forget the steps that began at a time [s] or later; returns up to when the account then goes [s]."""

@@ -54,6 +54,8 @@ class Choices:
     best: float = field(init=False, default=0.0)
     share: float = field(init=False, default=1.0)
     changes: list[tuple[float, tuple[str, ...], tuple[str, ...]]] = field(init=False, default_factory=list)
+    _at: Snapshot | None = field(init=False, default=None)  # where the best choice was sought last
+    _there: Kinematics | None = field(init=False, default=None)
 
     def __post_init__(self) -> None:
         self.own = self.kinematics
@@ -94,7 +96,12 @@ class Choices:
         return present > WORSE and self.worse(at, present, WORSE) is not None
 
     def _best(self, at: Snapshot) -> Kinematics | None:
-        """Find the best choice at a position, and its amplification; return None where the position is singular."""
+        """Return the best choice at a position, and find its amplification; None where the position is singular."""
+        if at is not self._at:
+            self._there, self._at = self._best_at(at), at
+        return self._there
+
+    def _best_at(self, at: Snapshot) -> Kinematics | None:
         evaluation = self.kinematics.evaluation
         J = evaluation.position(at.x)[1]
         try:

@@ -115,6 +115,10 @@ class Inside(Stages):
     def take(self, step: Interpolant, live: Stages) -> None:
         """Take the stages of a step that was just found."""
         lib.flexel_dop853_take(self.choice.work.struct, self.struct, live.struct)
+        self.holds(step)
+
+    def holds(self, step: Interpolant) -> None:
+        """These are the stages of a step, up to its end."""
         self._of, self._known = step, EXTRA
 
     def again(self, step: Interpolant, h: float, given: Array | None = None) -> None:
@@ -135,7 +139,7 @@ class Inside(Stages):
         self._restore()
         self.kinematics.check(code, t + h, self.choice)
         if h == step.h:
-            self._of, self._known = step, EXTRA
+            self.holds(step)
 
     def _restore(self) -> None:
         """Let positions be found to rounding again, by all who use these arrays."""

@@ -21,6 +21,7 @@ class Dips:
 
     Attributes
     ----------
+    struct : cffi struct
     close : list of (float, float)
         Times [s] at the ends of steps where the position is nearly singular, and how much coordinates change there per
         unit of rigid and prescribed quantities, in natural scales.
@@ -29,21 +30,30 @@ class Dips:
     def __init__(self) -> None:
         self._kinematics: Kinematics | None = None
         self._t = np.nan
-        self._struct = ffi.new("flexel_dips *")
+        self.struct = ffi.new("flexel_dips *")
         self._largest = -np.inf
         self.close: list[tuple[float, float]] = []
 
     def at(self, kinematics: Kinematics, t: float) -> tuple[float, float]:
         """Return the logarithm of the determinant at a time [s], or NaN, and its fall in the step before."""
         known = kinematics is self._kinematics and t == self._t
-        return (self._struct.size, self._struct.fall) if known else (np.nan, 0.0)
+        return (self.struct.size, self.struct.fall) if known else (np.nan, 0.0)
+
+    def known(self, kinematics: Kinematics, t: float) -> tuple[bool, float]:
+        """Return whether the determinant at a time [s] is known, and the logarithm of its largest value so far."""
+        own = kinematics is self._kinematics
+        return own and t == self._t, self._largest if own else -np.inf
+
+    def go_on(self, kinematics: Kinematics, t: float, largest: float) -> None:
+        """Continue from a time [s] up to which the struct has followed the determinant, and its largest value."""
+        self._kinematics, self._t, self._largest = kinematics, t, largest
 
     def take(self, kinematics: Kinematics, t: float, sign: int, size: float, fall: float) -> None:
         """Continue from a time [s] to which other steps have led, with what they found."""
         if np.isnan(size) or kinematics is not self._kinematics:
             self._largest = -np.inf
         self._kinematics, self._t = (None if np.isnan(size) else kinematics), t
-        self._struct.sign, self._struct.size, self._struct.fall = sign, size, fall
+        self.struct.sign, self.struct.size, self.struct.fall = sign, size, fall
         self._largest = max(size, self._largest)
 
     def forget(self) -> None:
@@ -73,8 +83,8 @@ class Dips:
             With the position matrix at its end.
         """
         known = kinematics is self._kinematics and first.t == self._t
-        looks = lib.flexel_dips_look(self._struct, choice.P, known)
-        size = self._struct.size
+        looks = lib.flexel_dips_look(self.struct, choice.P, known)
+        size = self.struct.size
         self._largest = max(size, self._largest) if kinematics is self._kinematics else size
         self._kinematics, self._t = kinematics, last.t
         if self._largest - size >= DEEP:

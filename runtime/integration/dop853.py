@@ -8,6 +8,9 @@ freedom are chosen.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import Any
+
 import numpy as np
 
 from flexel.base.arrays import Array
@@ -18,10 +21,11 @@ from flexel.engine.step_control import StepControl
 from flexel.integration.account import of_dop853
 from flexel.integration.attempts import Attempted
 from flexel.integration.dense import Allowed, Interpolant
+from flexel.integration.dop853_row import ENDED, TRIED, Place, Row
 from flexel.integration.dop853_stages import B
 from flexel.integration.dop853_steps import Steps
 from flexel.integration.flat import crossing_step, flat_position
-from flexel.integration.step_method import RESOLUTION, Found, StepMethod, Tolerances
+from flexel.integration.step_method import RESOLUTION, Found, InRow, StepMethod, Tolerances
 from flexel.model.snapshot import Snapshot
 from flexel.model.structure import Structure
 
@@ -52,6 +56,7 @@ class Dop853(StepMethod):
 
     name = "DOP853"
     quadrature = of_dop853()
+    rows = True
     control = StepControl(order=8, most=10.0, unusable=0.4)
     steps: Steps
     spare: Steps | None = None
@@ -65,6 +70,8 @@ class Dop853(StepMethod):
     _rejected = _careful = _first_order = False
     _defect = np.inf  # of the rates, of a longer trial
     _found = np.inf  # the same of the last one, if that is why it was refused
+    _row: Row | None = None
+    _resumes = False  # whether the last row has left a trial to be judged
     _noise = 0.0  # largest defect of the rates that shorter steps did not reduce, with a margin
 
     @classmethod
@@ -144,18 +151,25 @@ class Dop853(StepMethod):
         self._end, self._wished, self._shortest = end, self.h, shortest
         self._rejected, self._careful, self._defect = False, False, np.inf
         self._first_order = self.steps.first_order
+        if self._resumes and self._row is not None:
+            r, self._resumes = self._row.struct, False
+            self._wished, self._rejected, self._first_order = float(r.first), r.tries > 0, bool(r.first_order)
+            if self._first_order and not self.tried:
+                self.steps.use_first_order()
 
     def attempt(self) -> Attempted:
         """Try the step that is prepared."""
         course, t = self.course, self.course.t
         if self.h < self._shortest and self.h < self._end - t:
             return Attempted.SHORT
-        ahead = crossing_step(self.flat - t, min(self.h, course.tolerances.max_step))
-        self._to = min(t + ahead, self._end)
         c = self.steps.struct
-        before = c.evaluations
-        self._code = self.steps.step(t, self._to - t, self._careful)
-        course.counts["evaluations"] += c.evaluations - before
+        if not self.tried:
+            ahead = crossing_step(self.flat - t, min(self.h, course.tolerances.max_step))
+            self._to = min(t + ahead, self._end)
+            before = c.evaluations
+            self._code = self.steps.step(t, self._to - t, self._careful)
+            course.counts["evaluations"] += c.evaluations - before
+        self.tried = False
         self._error, self._found = self._largest_error() if not self._code else np.inf, self._defect
         if self._error < 1:
             trusted = self._trusted()
@@ -274,12 +288,50 @@ class Dop853(StepMethod):
             self._noise = max(self._noise, NOISE * c.defect_v)
         return stays
 
-    # -- steps that are taken in a lane, see abreast.py ------------------------------------------------
+    # -- steps that are taken in a row, or in a lane ---------------------------------------------------
 
     @property
     def usual(self) -> bool:
         """Whether the usual rules have applied to all earlier steps."""
         return not self._noise and self.flat <= self.course.t
+
+    def give_rules(self, struct: Any) -> None:
+        """Write the rules of usual steps into a struct of dop853_rules.h."""
+        given = self.course.tolerances
+        self.control.give(struct.control)
+        struct.rtol, struct.atol = given.rtol, given.largest_atol
+        struct.predicted, struct.turns, struct.farthest, struct.floor = PREDICTED, TURNS, FARTHEST, FLOOR
+        struct.exact, struct.unamplified = TRUE, UNAMPLIFIED
+
+    def row(self, most: int, allowed: float) -> Sequence[InRow]:
+        """Take up to `most` steps in a row, from the present point; see `StepMethod.row`."""
+        if not self.usual:
+            return ()
+        course, steps, counts = self.course, self.steps, self.course.counts
+        row = self._row = self._row if self._row and self._row.steps is steps else self._new_row()
+        before = steps.struct.evaluations
+        place = Place(course.now, self.h, course.amplification, allowed, course.stored)
+        found = row.take(place, course.stop, most, course.z.size, course.knots.interval)
+        r = row.struct
+        self.h, self._to, self._code = float(r.h), float(r.to), int(r.code)
+        self.tried = self._resumes = row.ended == TRIED
+        counts["evaluations"] += steps.struct.evaluations - before
+        counts["rejected"] += int(r.refused + r.tries * (row.ended != ENDED))
+        return found
+
+    def forget_trial(self) -> None:
+        """The workspace no longer holds the trial that a row has made: it is to be made again."""
+        super().forget_trial()
+        if self._row is not None:
+            self.course.counts["evaluations"] -= int(self._row.struct.cost)
+
+    def _new_row(self) -> Row:
+        course = self.course
+        row = Row(
+            self.steps, course.touching.look, course.dips, course.times, course.tolerances, course.least
+        )
+        self.give_rules(row.struct.rules)
+        return row
 
     def stopped(self) -> FlexelError:
         """Return the error of steps that have become too short."""

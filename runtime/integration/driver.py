@@ -35,6 +35,7 @@ from flexel.system import CoreSystem
 
 log = logging.getLogger("flexel.simulate")
 INTERRUPTED = "interrupted"  # begins the message of a motion that Ctrl-C has ended
+LOOK_EVERY = 50  # steps, after multiples of which a motion is looked at
 BAR = "{l_bar}{bar}| {n:.3g}/{total:.3g} s [{elapsed}<{remaining}]"
 
 
@@ -54,6 +55,8 @@ class Run(ABC):
     passed : Passages
         Contacts that were passed within steps.
     events : sequence of Event
+    taken : int
+        Steps so far.
     """
 
     def __init__(self, system: CoreSystem, start: State, times: Array, events: Sequence[Event]) -> None:
@@ -69,6 +72,7 @@ class Run(ABC):
         self.smooth_since = float(times[0])
         self._watchdog = Watchdog(start.structure)
         self.passed = Passages(system.evaluation)
+        self.taken = 0
 
     @property
     @abstractmethod
@@ -102,6 +106,16 @@ class Run(ABC):
     @abstractmethod
     def keep(self) -> None:
         """Store the current state, unless it is already stored."""
+
+    def several(self, most: int) -> str | None:
+        """Take one or more steps, at most so many; otherwise as `advance`."""
+        self.taken += 1
+        return self.advance()
+
+    @property
+    def stored(self) -> int:
+        """How many states are stored."""
+        return len(self.result.states)
 
     @property
     def until(self) -> float:
@@ -183,8 +197,8 @@ class Run(ABC):
         elif jumped == FORCES:
             self.jump(self.instant[1])
 
-    def forward(self) -> str | None:
-        """Cross a knot and sample the controllers if it is time, and take one step; otherwise as `advance`."""
+    def forward(self, most: int = 1) -> str | None:
+        """Cross a knot and sample the controllers if it is time, and take steps as `several` does."""
         if self.knots.any:
             self._pass_knots()
         if self.sampling.all and self.t != self._jumped and self.sampling.due(self.t):
@@ -192,9 +206,9 @@ class Run(ABC):
             self._jumped = self.smooth_since = self.t
             self.jump(self.sampling.after(at, z, lambda: self.present))
         if not self._callbacks:
-            return self.advance()
+            return self.several(most)
         try:
-            message = self.advance()
+            message = self.several(1)
         except FlexelError:
             raise_failures(self._callbacks)
             raise
@@ -224,8 +238,8 @@ class Run(ABC):
         bar = progress_bar(show, end - begin, "s", BAR)
         try:
             while self.t < end and message is None:
-                message = self.forward()
-                self._watchdog.step(self)
+                message = self.forward(1 if detailed else LOOK_EVERY - self.taken % LOOK_EVERY)
+                self._watchdog.look(self)
                 if detailed:
                     log.debug("step to t = %.9g s", self.t)
                 bar.update(self.t - begin - float(bar.n))

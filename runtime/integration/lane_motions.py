@@ -22,27 +22,26 @@ from flexel.engine.lane_arrays import (
 )
 from flexel.engine.lane_workspace import LaneWorkspace
 from flexel.generated._kernels import lib
-from flexel.integration import dop853 as rules
-from flexel.integration.branch import WORSE
 from flexel.integration.dense import Allowed, Interpolant
+from flexel.integration.dop853 import Dop853
 from flexel.integration.dop853_stages import TABLEAU
 from flexel.integration.dop853_steps import accepted_error
 from flexel.integration.driver import Run
-from flexel.integration.minimal import SHORTEST, SINGULAR, MinimalRun
+from flexel.integration.minimal import SHORTEST, MinimalRun
 from flexel.model.snapshot import Snapshot
 
 STAGES = ("K", "V", "W", "turning", "w_rates")  # rates at the stages; the first row belongs to the start
 
 
-def steps_of(run: MinimalRun) -> rules.Dop853:
+def steps_of(run: MinimalRun) -> Dop853:
     """Return the steps of a motion by DOP853."""
-    assert isinstance(run.method, rules.Dop853)
+    assert isinstance(run.method, Dop853)
     return run.method
 
 
 def suits(run: Run) -> TypeGuard[MinimalRun]:
     """Whether a motion that has begun can go on in a lane."""
-    if not isinstance(run, MinimalRun) or not isinstance(run.method, rules.Dop853) or run.t >= run.times[-1]:
+    if not isinstance(run, MinimalRun) or not isinstance(run.method, Dop853) or run.t >= run.times[-1]:
         return False
     kinematics = run.kinematics
     roles, n = kinematics.roles, kinematics.structure.nf
@@ -89,18 +88,11 @@ class LaneMotions:
                 "end": float(run.times[-1]),
                 "longest": given.max_step,
                 "shortest": SHORTEST * span,
-                "predicted": rules.PREDICTED,
-                "turns": rules.TURNS,
-                "farthest": rules.FARTHEST,
-                "floor": rules.FLOOR,
-                "exact": rules.TRUE,
-                "unamplified": rules.UNAMPLIFIED,
-                "atol": given.largest_atol,
                 "dip": float(lib.FLEXEL_DIP),
             },
-            own.control,
             run.touching.look,
         )
+        own.give_rules(self._lanes.struct.rules)
         self._roles = kinematics.roles
 
     def enter(self, lane: int, run: MinimalRun) -> None:
@@ -134,7 +126,7 @@ class LaneMotions:
             run.until,
             run.amplification,
         )
-        l.allowed[lane] = WORSE * run.choices.share * max(1.0, min(run.choices.best, SINGULAR))
+        l.allowed[lane] = run.allowed
         l.sign[lane] = s.struct.sign
         l.size[lane], l.fall[lane] = run.dips.at(run.kinematics, run.t)
         l.taken[lane] = l.refused[lane] = l.tries[lane] = 0

@@ -9,7 +9,9 @@ from __future__ import annotations
 import logging
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import cached_property
 from math import ulp
+from time import perf_counter
 from typing import Any
 
 import numpy as np
@@ -29,7 +31,7 @@ from flexel.integration.events import Event
 from flexel.integration.imbalance import AT_REST, ROUNDING, STEPS, Imbalance, explained
 from flexel.integration.outcome import Integration
 from flexel.integration.segments import DenseOutput, Step
-from flexel.integration.step_method import StepMethod, Tolerances, natural_scales_of_y
+from flexel.integration.step_method import InRow, StepMethod, Tolerances, natural_scales_of_y
 from flexel.integration.touching import TouchingContacts
 from flexel.integration.workers import workers
 from flexel.mechanics.amplification import amplification, lost
@@ -46,6 +48,7 @@ STILL = 1e-14  # rates, in natural scales, that are rounding errors
 LONGEST_PAUSE = 1024  # steps without another trial to cross a flat position
 PROMISED = 10.0  # tolerances that rounding errors of coordinates may have without a warning
 FAR = 10.0  # distance from the origin, in natural scales, to which rounding errors are attributed
+PAUSE = 0.1  # time [s] for which an interrupt, or the progress bar, may wait for steps in a row
 SINGULAR = 1e6  # amplification of the best choice above which the position is singular
 
 
@@ -100,6 +103,7 @@ class MinimalRun(DenseRun):
         tables = self.kinematics.evaluation.work.tables
         self.touching = TouchingContacts(tables, every_gap(tables), self.passed)
         self._pause, self._next_crossing = 1, 0  # steps
+        self._patient = 1  # steps in a row that take about PAUSE
         self.covered = self._scale(kind)
         self.method: StepMethod = kind(self)
 
@@ -116,7 +120,12 @@ class MinimalRun(DenseRun):
     @property
     def shortest(self) -> float:
         """Length [s] below which a step is too short."""
-        return max(SHORTEST * self._span, 10 * ulp(self.t))
+        return max(self.least, 10 * ulp(self.t))
+
+    @property
+    def least(self) -> float:
+        """Length [s] below which a step is too short, wherever it is."""
+        return SHORTEST * self._span
 
     @property
     def statistics(self) -> dict[str, int]:
@@ -185,6 +194,25 @@ class MinimalRun(DenseRun):
         self.account.part()
         self.method.jump()
 
+    def several(self, most: int) -> str | None:
+        """Take one or more accepted steps, at most so many."""
+        if most == 1 or not (self.method.rows and self._in_rows):
+            return super().several(most)
+        begun = perf_counter()
+        row = self.method.row(min(most, self._patient), self.allowed)
+        tried = self.method.tried
+        for step in row:
+            self._accept_in_row(step)
+        if row:
+            self._patient = int(PAUSE * len(row) / (perf_counter() - begun)) + 1
+        if tried and (self.choices.changes or any(step.recall for step in row)):
+            self.method.forget_trial()  # the workspace has served to find other states
+        if tried or not row:
+            return super().several(most)
+        if self.consider(WORSE):
+            self.method.restart()
+        return None
+
     def advance(self) -> str | None:
         """Take one accepted step."""
         method, shortest = self.method, self.shortest
@@ -201,6 +229,35 @@ class MinimalRun(DenseRun):
                 return self.carry_or_stop(method.stopped())
             if steps := self.across(method.flat):
                 return self.carry(steps)
+
+    # -- steps that are taken in a row, see StepMethod.row ---------------------------------------------
+
+    @cached_property
+    def _in_rows(self) -> bool:
+        """Whether nothing is asked of the user's functions in a step."""
+        own = self.kinematics
+        asks = self.events or self._at_once or own.roles.motions or not own.loads.constant or self._scales.any
+        return not asks
+
+    @property
+    def allowed(self) -> float:
+        """Amplification up to which other degrees of freedom are not considered."""
+        return WORSE * self.choices.share * max(1.0, min(self.choices.best, SINGULAR))
+
+    def _accept_in_row(self, found: InRow) -> None:
+        """Store a step of a row, and what belongs to its end."""
+        first, dense = self.now, found.dense
+        self.amplification = found.amplification
+        self.account.note(dense.last.t, found.balance)
+        if found.recall is not None:
+            found.recall()
+        self.counts["steps"] += 1
+        self.taken += 1
+        self.accept(
+            Step(first.t, dense.last.t, self.kinematics, self._shown, first, dense.last, dense), found.z
+        )
+        if self.choices.changes:
+            self._shown = self.shown()
 
     # -- steps that are taken in a lane, see lane_motions.py -------------------------------------------
 

@@ -6,6 +6,7 @@ The motion owns time, degrees of freedom and results, see minimal.py; a method o
 from __future__ import annotations
 
 from abc import abstractmethod
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import ClassVar, NamedTuple, Protocol
@@ -22,8 +23,10 @@ from flexel.engine.workspace import Workspace
 from flexel.integration.account import Account, Quadrature
 from flexel.integration.attempts import Attempts
 from flexel.integration.branch import Choices
+from flexel.integration.dips import Dips
 from flexel.integration.knots import Knots
 from flexel.integration.segments import DenseOutput
+from flexel.integration.touching import TouchingContacts
 from flexel.mechanics.kinematics import Kinematics
 from flexel.model.snapshot import Snapshot
 from flexel.model.structure import Structure
@@ -84,6 +87,29 @@ class Found(NamedTuple):
     z: Array
 
 
+class InRow(NamedTuple):
+    """A step of a row.
+
+    Attributes
+    ----------
+    dense : DenseOutput
+    z : ndarray (nz,)
+        Internal states at its end.
+    amplification : float
+        Of the degrees of freedom there.
+    balance : bytes
+        The energy balance there, see account.h.
+    recall : callable(), optional
+        To be called before states within it are stored, if they are.
+    """
+
+    dense: DenseOutput
+    z: Array
+    amplification: float
+    balance: bytes
+    recall: Callable[[], None] | None
+
+
 class SteppedMotion(Protocol):
     """A motion in minimal coordinates, as its method sees it.
 
@@ -99,6 +125,8 @@ class SteppedMotion(Protocol):
         Theirs, when last determined.
     counts : dict of str to int
         Steps that were refused, evaluations and bifurcations, counted by the method too.
+    times : ndarray
+        At which states are stored.
     """
 
     now: Snapshot
@@ -110,6 +138,9 @@ class SteppedMotion(Protocol):
     account: Account
     tolerances: Tolerances
     counts: dict[str, int]
+    times: Array
+    touching: TouchingContacts
+    dips: Dips
 
     @property
     def t(self) -> float:
@@ -134,6 +165,16 @@ class SteppedMotion(Protocol):
     @property
     def until(self) -> float:
         """The next time at which a state is stored."""
+        ...
+
+    @property
+    def stored(self) -> int:
+        """How many states are stored."""
+        ...
+
+    @property
+    def least(self) -> float:
+        """Length [s] below which a step is too short, wherever it is."""
         ...
 
     def take(self) -> None:
@@ -168,6 +209,8 @@ class StepMethod(Attempts):
     name: ClassVar[str]
     quadrature: ClassVar[Quadrature]
     control: ClassVar[StepControl]
+    rows = False  # whether it takes steps in a row
+    tried = False  # whether the workspace holds a trial of the next step, that was made at the end of a row
     flat = -np.inf  # time [s] of a flat position at which steps were refused
 
     def __init__(self, course: SteppedMotion) -> None:
@@ -215,6 +258,22 @@ class StepMethod(Attempts):
     def jump(self) -> None:
         """Continue from the present position, where internal states have jumped."""
         self.restart()
+
+    def row(self, most: int, allowed: float) -> Sequence[InRow]:
+        """Take some steps in a row without a look at each of them; none where the method does not, or cannot here.
+
+        Parameters
+        ----------
+        most : int
+            At most so many.
+        allowed : float
+            Amplification of the degrees of freedom beyond which others may be better: steps end there.
+        """
+        return ()
+
+    def forget_trial(self) -> None:
+        """The workspace no longer holds the trial that a row has made: it is to be made again."""
+        self.tried = False
 
     @abstractmethod
     def accept(self, last: Snapshot, kink: bool) -> Found:

@@ -55,8 +55,8 @@ class Watch:
         self._half = 0.0, 0  # time [s] and evaluations after half of the steps up to the next look
 
     def __call__(self, run: Run) -> None:
-        """Count a step."""
-        self._steps += 1
+        """Look at a motion if it has taken enough steps."""
+        self._steps = run.taken
         if self._steps == self._next:
             self._look(run)
             self._next *= 2

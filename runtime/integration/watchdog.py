@@ -24,6 +24,7 @@ class Watched(Protocol):
     """What it observes of a motion, named as in `Run`."""
 
     times: Array
+    taken: int
 
     @property
     def t(self) -> float:
@@ -52,31 +53,30 @@ class Watchdog:
 
     def __init__(self, structure: Structure) -> None:
         self._structure = structure
-        self._steps = self._slow = 0
+        self._slow = 0
         self._t: list[float] = []  # at the start, and at the looks
         self._changes: list[int] = []  # at the same times
         self._best = 0.0  # progress in a step [s]
 
-    def step(self, run: Watched) -> None:
-        """Count a step.
+    def look(self, run: Watched) -> None:
+        """Look at a motion if it has taken enough steps since the last look.
 
         Raises
         ------
         DynamicsError
             If the rest of the motion would take too many steps or changes; says what moves fastest.
         """
-        self._steps += 1
-        if self._steps == FIRST:
+        if run.taken == FIRST:
             self._best = (run.t - float(run.times[0])) / FIRST
             self._note(run)
-        elif self._steps > FIRST and (self._steps - FIRST) % WINDOW == 0:
-            self._look(run)
+        elif run.taken > FIRST and (run.taken - FIRST) % WINDOW == 0:
+            self._judge(run)
 
     def _note(self, run: Watched) -> None:
         self._t.append(run.t)
         self._changes.append(run.statistics.get("rechoices", 0))
 
-    def _look(self, run: Watched) -> None:
+    def _judge(self, run: Watched) -> None:
         self._note(run)
         pace = (self._t[-1] - self._t[-2]) / WINDOW
         slow = pace * SLOWER < self._best

@@ -216,7 +216,7 @@ def test_a_killed_command_goes_on(tmp_path: Path) -> None:
 def test_a_folder_that_does_not_exist_is_refused_before_the_first_step(
     suffix: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(Run, "forward", lambda _: pytest.fail("a step was taken"))
+    monkeypatch.setattr(Run, "forward", lambda _, most: pytest.fail("a step was taken"))
     path = tmp_path / "missing" / f"motion{suffix}"
     with pytest.raises(fx.FlexelError, match="simulate: checkpoint '.*missing.*No such file or directory"):
         pendulum().simulate(1.0, checkpoint=path)
@@ -225,7 +225,7 @@ def test_a_folder_that_does_not_exist_is_refused_before_the_first_step(
 def test_the_trial_of_a_checkpoint_leaves_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Neither a file of the start, nor one beside it."""
 
-    def stop(_: Run) -> None:
+    def stop(_: Run, most: int) -> None:
         assert not list(tmp_path.iterdir())
         raise Killed
 

@@ -87,12 +87,14 @@ def patience(steps: int) -> Iterator[None]:
     """Raise TooLongError where the motions within take more than so many steps in all, on every machine alike."""
     left, forward = steps, Run.forward
 
-    def counted(run: Run) -> str | None:
+    def counted(run: Run, most: int = 1) -> str | None:
         nonlocal left
-        left -= 1
+        before = run.taken
+        message = forward(run, most)
+        left -= run.taken - before
         if left < 0:
             raise TooLongError
-        return forward(run)
+        return message
 
     with mock.patch.object(Run, "forward", counted):
         yield
