@@ -308,7 +308,9 @@ class Dop853(StepMethod):
         if not self.usual:
             return ()
         course, steps, counts = self.course, self.steps, self.course.counts
-        row = self._row = self._row if self._row and self._row.steps is steps else self._new_row()
+        row = self._row
+        if row is None or row.steps is not steps or row.times is not course.times:
+            row = self._row = self._new_row()
         before = steps.struct.evaluations
         place = Place(course.now, self.h, course.amplification, allowed, course.stored)
         found = row.take(place, course.stop, most, course.z.size, course.knots.interval)

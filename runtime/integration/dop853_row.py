@@ -73,7 +73,8 @@ class Row(Struct):
         least: float,
     ) -> None:
         super().__init__(ffi.new("flexel_dop853_run *"))
-        self.steps, self._look, self._dips, self._relative = steps, look, dips, given.relative
+        self.steps, self.times, self._look, self._dips = steps, times, look, dips
+        self._relative = given.relative
         r, c = self.struct, steps.struct
         r.work, r.choice, r.steps = steps.choice.work.struct, steps.choice.struct, c
         r.touching, r.dips = look.struct, dips.struct

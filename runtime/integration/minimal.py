@@ -200,12 +200,12 @@ class MinimalRun(DenseRun):
             return super().several(most)
         begun = perf_counter()
         row = self.method.row(min(most, self._patient), self.allowed)
-        tried = self.method.tried
+        tried, stored = self.method.tried, self.stored
         for step in row:
             self._accept_in_row(step)
         if row:
             self._patient = int(PAUSE * len(row) / (perf_counter() - begun)) + 1
-        if tried and (self.choices.changes or any(step.recall for step in row)):
+        if tried and (self.choices.changes or self.stored > stored):
             self.method.forget_trial()  # the workspace has served to find other states
         if tried or not row:
             return super().several(most)
