@@ -14,17 +14,18 @@ typedef struct {
 } flexel_rules;
 /* cdef: end */
 
-/* What is found of a step: as in runge_kutta.h, with the larger one of both errors of y, and whether the sign changes. */
+/* What is found of a step, as in runge_kutta.h, and whether the sign changes. */
 typedef struct {
-    double error, error_x, error_v, error_turns, defect, defect_v, fastest;
+    double error, error_own, error_x, error_v, error_turns, defect, defect_v, fastest;
     int changed;
 } flexel_step_found;
 
 /* The largest of the errors of a step, over what is allowed; infinite if one of them is not a number. */
 static inline double flexel_error_of_step(const flexel_rules *r, const flexel_step_found *o)
 {
-    const double turns = o->error_turns / r->turns, size = fmax(fmax(o->error, o->error_x / r->predicted), turns);
-    return isfinite(o->error + o->error_x + turns) ? size : INFINITY;
+    const double turns = o->error_turns / r->turns, of_y = fmax(o->error, o->error_own);
+    const double size = fmax(fmax(of_y, o->error_x / r->predicted), turns);
+    return isfinite(o->error + o->error_own + o->error_x + turns) ? size : INFINITY;
 }
 
 /* Error of the rates within the tolerance. */

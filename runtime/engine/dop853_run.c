@@ -11,12 +11,10 @@ static double *copy(double *to, const double *from, size_t n)
     return to + n;
 }
 
-void flexel_dop853_sizes(flexel_dop853_run *r)
+size_t flexel_dop853_slot(const flexel_dop853_run *r)
 {
-    const size_t n = r->work->n, m = r->work->m, nf = r->work->nf, turns = r->work->nperiodic;
-    const size_t ny = r->steps->ny, count = r->steps->rotations.count, rows = FLEXEL_STAGES + 1;
-    r->width = FLEXEL_KEPT + 2 * n + 2 * m + 4 * ny + 10 * count;
-    r->wide = ny + n + turns + 3 * count + rows * (ny + nf + turns + 3 * count) + 1;
+    const size_t ny = r->steps->ny, turns = r->work->nperiodic, count = 3 * r->steps->rotations.count;
+    return ny + r->work->n + turns + count + (FLEXEL_STAGES + 1) * (ny + r->work->nf + turns + count) + 1;
 }
 
 /* A struct whose start and stages are in a slot. */
@@ -119,8 +117,8 @@ static void accept(flexel_dop853_run *r, double error, double amplification)
 /* What the last trial has found. */
 static flexel_step_found found(const flexel_dop853 *o)
 {
-    return (flexel_step_found){fmax(o->error, o->error_own), o->error_x, o->error_v,  o->error_turns, o->defect,
-                               o->defect_v,                  o->fastest, o->changed != 0};
+    return (flexel_step_found){o->error,  o->error_own, o->error_x, o->error_v,      o->error_turns,
+                               o->defect, o->defect_v,  o->fastest, o->changed != 0};
 }
 
 /* Whether a contact begins, ends or is passed in the step. */
@@ -136,7 +134,7 @@ static int dips(flexel_dop853_run *r)
 {
     const flexel_dips before = *r->dips;
     const int looks = flexel_dips_look(r->dips, &r->choice->P, r->known);
-    const double largest = r->known ? fmax(r->dips->size, r->largest) : r->dips->size;
+    const double largest = fmax(r->dips->size, r->largest);
     if (looks || largest - r->dips->size >= r->deep) {
         *r->dips = before;
         return 1;

@@ -30,9 +30,9 @@ typedef struct {
     flexel_dips *dips;
     flexel_rules rules;
     double accept;                  /* error of a position below which J is kept, in a motion of the machine's size */
-    double end, longest, shortest;  /* time of the last step, and lengths [s] */
-    double deep, largest;           /* fall of the determinant that is left to dips.py, and its largest value, logarithms */
-    int known;                      /* whether the determinant at the start is */
+    double end, longest, shortest;  /* time at which the last step ends at the latest, and lengths [s] */
+    double deep, largest;           /* logarithms: fall of the determinant that is left to dips.py, and its largest value */
+    int known;                      /* whether the determinant at the start is known */
     const double *times;            /* at which states are stored (ntimes), and the next of them */
     size_t ntimes, next;
     /* start of a step: time, the next length, its amplification and the largest that is allowed; rates of coordinates (n),
@@ -41,17 +41,18 @@ typedef struct {
     double *v, *e, *w;
     double first, to; /* length [s] of the first trial of a step, and where the last one ends */
     size_t tries, taken, refused;
-    size_t cost; /* evaluations of the last trial */
-    int code;        /* what failed in the last trial, or zero */
+    size_t cost;     /* evaluations of the last trial */
+    int code;        /* what failed in it, or zero */
     int first_order; /* whether the position matrix is factorized in its first order of pivots at the start of the step */
-    /* steps that are kept, up to `most`, their energy balances, and stages for up to `slots` of them */
+    /* steps that are kept, up to `most`, with `width` numbers each, their energy balances, and stages for up to `slots` of them,
+     * with `wide` numbers each */
     size_t most, slots, used, width, wide;
     double *kept, *stages;
     flexel_account *accounts;
 } flexel_dop853_run;
 
-/* Sizes of what is kept of a step, and of its stages. */
-void flexel_dop853_sizes(flexel_dop853_run *r);
+/* Size of a slot for the stages of a step. */
+size_t flexel_dop853_slot(const flexel_dop853_run *r);
 /* Take steps from the start; how they end. */
 int flexel_dop853_steps(flexel_dop853_run *r);
 /* Take the start and the stages of a step that are kept in a slot into another struct. */

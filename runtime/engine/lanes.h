@@ -28,7 +28,6 @@ typedef struct {
     double *v, *e, *w;
     double end, longest, shortest; /* times [s] */
     flexel_rules rules;
-    double dip; /* see dips.h */
     /* of each lane: what it does, steps taken and refused, and refused since the start of the step */
     int *doing, *taken, *refused, *tries;
     /* time, the next step, the first one tried from here, and the end of the last trial; time of which a step is passed on */

@@ -1,4 +1,5 @@
 /* Step control of every lane; see lanes.h. */
+#include "dips.h"
 #include "lanes_inside.h"
 
 #include <math.h>
@@ -26,7 +27,8 @@ static void propose(flexel_lanes *l, flexel_trial *trial)
 /* What a trial has found in one lane. */
 static flexel_step_found found(const flexel_trial *trial, size_t i)
 {
-    return (flexel_step_found){fmax(trial->error[i], trial->error_own[i]),
+    return (flexel_step_found){trial->error[i],
+                               trial->error_own[i],
                                trial->error_x[i],
                                trial->error_v[i],
                                trial->error_turns[i],
@@ -55,7 +57,7 @@ static int touches(const flexel_lanes *l, size_t i)
 static int dips(flexel_lanes *l, size_t i)
 {
     l->size_new[i] = flexel_lanes_logarithm(&l->choice->P, i);
-    return l->size[i] - l->size_new[i] >= l->dip || (!isnan(l->size[i]) && l->fall[i] >= l->dip);
+    return l->size[i] - l->size_new[i] >= FLEXEL_DIP || (!isnan(l->size[i]) && l->fall[i] >= FLEXEL_DIP);
 }
 
 /* What becomes of a trial in one lane: its step is good, or tried again with another length, or the lane stops. */

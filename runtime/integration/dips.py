@@ -36,13 +36,15 @@ class Dips:
 
     def at(self, kinematics: Kinematics, t: float) -> tuple[float, float]:
         """Return the logarithm of the determinant at a time [s], or NaN, and its fall in the step before."""
-        known = kinematics is self._kinematics and t == self._t
-        return (self.struct.size, self.struct.fall) if known else (np.nan, 0.0)
+        return (self.struct.size, self.struct.fall) if self.known(kinematics, t) else (np.nan, 0.0)
 
-    def known(self, kinematics: Kinematics, t: float) -> tuple[bool, float]:
-        """Return whether the determinant at a time [s] is known, and the logarithm of its largest value so far."""
-        own = kinematics is self._kinematics
-        return own and t == self._t, self._largest if own else -np.inf
+    def known(self, kinematics: Kinematics, t: float) -> bool:
+        """Whether the determinant at a time [s] is known."""
+        return kinematics is self._kinematics and t == self._t
+
+    def largest(self, kinematics: Kinematics) -> float:
+        """Return the logarithm of its largest value so far, with these degrees of freedom."""
+        return self._largest if kinematics is self._kinematics else -np.inf
 
     def go_on(self, kinematics: Kinematics, t: float, largest: float) -> None:
         """Continue from a time [s] up to which the struct has followed the determinant, and its largest value."""
@@ -82,11 +84,9 @@ class Dips:
         choice : CoordinateWork
             With the position matrix at its end.
         """
-        known = kinematics is self._kinematics and first.t == self._t
-        looks = lib.flexel_dips_look(self.struct, choice.P, known)
+        looks = lib.flexel_dips_look(self.struct, choice.P, self.known(kinematics, first.t))
         size = self.struct.size
-        self._largest = max(size, self._largest) if kinematics is self._kinematics else size
-        self._kinematics, self._t = kinematics, last.t
+        self.go_on(kinematics, last.t, max(size, self.largest(kinematics)))
         if self._largest - size >= DEEP:
             self._note(last.t, choice)
         if not looks:

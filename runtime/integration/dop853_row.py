@@ -20,11 +20,9 @@ from flexel.integration.knots import Interval
 from flexel.integration.step_method import InRow, Tolerances
 from flexel.model.snapshot import Snapshot
 
-ROOM = 2**18  # bytes for what is kept of them, and for their stages; there is room for one of each
-ENDED, TRIED = (
-    lib.FLEXEL_ROW_ENDED,
-    lib.FLEXEL_ROW_TRIED,
-)  # how a row ends: at its end, or with a trial to be judged
+ROOM = 2**18  # bytes for what is kept of steps, and as many for their stages: at least one step has room
+ENDED = lib.FLEXEL_ROW_ENDED  # how a row ends: where it should,
+TRIED = lib.FLEXEL_ROW_TRIED  # or with a trial that is to be judged
 
 
 class Place(NamedTuple):
@@ -83,14 +81,14 @@ class Row(Struct):
         r.times, r.ntimes = self.pointer(np.ascontiguousarray(times)), times.size
         s, ny, count = steps.kinematics.structure, int(c.ny), steps.rotations.count
         self._v, self._e, self._w = (self.new(name, n) for name, n in (("v", s.n), ("e", s.m), ("w", s.m)))
-        lib.flexel_dop853_sizes(r)
+        sizes = s.n, s.n, s.m, s.m, ny, ny, ny, ny, 3 * count, 3 * count, 4 * count
+        self._parts = [slice(*ends) for ends in pairwise(accumulate(sizes, initial=int(lib.FLEXEL_KEPT)))]
+        r.width, r.wide = self._parts[-1].stop, lib.flexel_dop853_slot(r)
         r.slots, self._most = (max(1, ROOM // (8 * size)) for size in (int(r.wide), int(r.width)))
         self._kept = np.empty((self._most, int(r.width)))
         r.kept, r.stages = self.pointer(self._kept), self.pointer(np.empty(int(r.slots * r.wide)))
         self._accounts = ffi.new("flexel_account[]", self._most)
         r.accounts = self._accounts
-        sizes = s.n, s.n, s.m, s.m, ny, ny, ny, ny, 3 * count, 3 * count, 4 * count
-        self._parts = [slice(*ends) for ends in pairwise(accumulate(sizes, initial=int(lib.FLEXEL_KEPT)))]
 
     def take(self, place: Place, end: float, most: int, z: int, interval: Interval) -> list[InRow]:
         """Take up to `most` steps, and return them.
@@ -112,7 +110,8 @@ class Row(Struct):
         r.t, r.h, r.amplification, r.allowed = now.t, place.h, place.amplification, place.allowed
         r.end, r.next, r.most = end, place.stored, min(most, self._most)
         self._v[:], self._e[:], self._w[:] = now.v, now.e, now.ed
-        r.known, r.largest = self._dips.known(steps.kinematics, now.t)
+        r.known = self._dips.known(steps.kinematics, now.t)
+        r.largest = self._dips.largest(steps.kinematics)
         y, w = steps.y.copy(), steps.w.copy()
         rates, w_rates = steps.K[0].copy(), steps.w_rates[0].copy()
         self.ended = int(lib.flexel_dop853_steps(r))

@@ -35,7 +35,7 @@ from flexel.system import CoreSystem
 
 log = logging.getLogger("flexel.simulate")
 INTERRUPTED = "interrupted"  # begins the message of a motion that Ctrl-C has ended
-LOOK_EVERY = 50  # steps, after multiples of which a motion is looked at
+LOOK_EVERY = 50  # steps, after multiples of which a motion is looked at; see watchdog.py and watch.py
 BAR = "{l_bar}{bar}| {n:.3g}/{total:.3g} s [{elapsed}<{remaining}]"
 
 

@@ -88,7 +88,6 @@ class LaneMotions:
                 "end": float(run.times[-1]),
                 "longest": given.max_step,
                 "shortest": SHORTEST * span,
-                "dip": float(lib.FLEXEL_DIP),
             },
             run.touching.look,
         )
@@ -126,7 +125,7 @@ class LaneMotions:
             run.until,
             run.amplification,
         )
-        l.allowed[lane] = run.allowed
+        l.allowed[lane] = run.allowed()
         l.sign[lane] = s.struct.sign
         l.size[lane], l.fall[lane] = run.dips.at(run.kinematics, run.t)
         l.taken[lane] = l.refused[lane] = l.tries[lane] = 0
@@ -184,7 +183,7 @@ class LaneMotions:
         exactness = float(run.tolerances.rtol), accept
         z1 = y1[y1.size - run.z.size :].copy()
         of = y0, rates0, w0, w_rates0, z1, allowed, run.knots.interval, *exactness
-        run.pass_step(first, last, Interpolant(run.kinematics, first, last, *of), z1)
+        run.pass_step(Interpolant(run.kinematics, first, last, *of), z1)
 
     def _start(self, lane: int) -> Snapshot:
         """Return the start of the step of a lane."""

@@ -199,7 +199,7 @@ class MinimalRun(DenseRun):
         if most == 1 or not (self.method.rows and self._in_rows):
             return super().several(most)
         begun = perf_counter()
-        row = self.method.row(min(most, self._patient), self.allowed)
+        row = self.method.row(min(most, self._patient), self.allowed())
         tried, stored = self.method.tried, self.stored
         for step in row:
             self._accept_in_row(step)
@@ -239,31 +239,28 @@ class MinimalRun(DenseRun):
         asks = self.events or self._at_once or own.roles.motions or not own.loads.constant or self._scales.any
         return not asks
 
-    @property
-    def allowed(self) -> float:
-        """Amplification up to which other degrees of freedom are not considered."""
-        return WORSE * self.choices.share * max(1.0, min(self.choices.best, SINGULAR))
+    def allowed(self, factor: float = WORSE) -> float:
+        """Return the amplification up to which degrees of freedom that are better by a factor are not looked for."""
+        return factor * self.choices.share * max(1.0, min(self.choices.best, SINGULAR))
 
     def _accept_in_row(self, found: InRow) -> None:
         """Store a step of a row, and what belongs to its end."""
-        first, dense = self.now, found.dense
         self.amplification = found.amplification
-        self.account.note(dense.last.t, found.balance)
+        self.account.note(found.dense.last.t, found.balance)
         if found.recall is not None:
             found.recall()
         self.counts["steps"] += 1
         self.taken += 1
-        self.accept(
-            Step(first.t, dense.last.t, self.kinematics, self._shown, first, dense.last, dense), found.z
-        )
+        self.pass_step(found.dense, found.z)
         if self.choices.changes:
             self._shown = self.shown()
 
     # -- steps that are taken in a lane, see lane_motions.py -------------------------------------------
 
-    def pass_step(self, first: Snapshot, last: Snapshot, dense: DenseOutput, z: Array) -> None:
-        """Store the states at the times within an accepted step."""
-        self.accept(Step(first.t, last.t, self.kinematics, self._shown, first, last, dense), z)
+    def pass_step(self, dense: DenseOutput, z: Array) -> str | None:
+        """Store an accepted step, and the states at the times within it; returns a message as `advance` does."""
+        first, last = dense.first, dense.last
+        return self.accept(Step(first.t, last.t, self.kinematics, self._shown, first, last, dense), z)
 
     def go_on_alone(self, now: Snapshot, z: Array, amplification: float) -> None:
         """Continue from the start of a step, to which the method has come."""
@@ -305,7 +302,7 @@ class MinimalRun(DenseRun):
             If they may not change, and are no longer usable; names them.
         """
         choices = self.choices
-        if self.amplification <= factor * choices.share * max(1.0, min(choices.best, SINGULAR)):
+        if self.amplification <= self.allowed(factor):
             return False  # the amplification of any choice is about one or more
         other = choices.worse(self.now, self.amplification, factor)
         if other is None:
@@ -357,9 +354,8 @@ class MinimalRun(DenseRun):
         if flat is not None and (steps := self.across(flat)):
             return self.carry(steps)
         self.account.note(last.t)
-        segment = Step(first.t, last.t, self.kinematics, self._shown, first, last, dense)
         self.counts["steps"] += 1
-        ended = self.accept(segment, z)
+        ended = self.pass_step(dense, z)
         if ended is None and self.consider(WORSE):
             method.restart()
         if self.choices.changes:

@@ -51,29 +51,28 @@ class Watch:
     def __init__(self, system: CoreSystem, options: Options | None) -> None:
         self.system, self._options = system, options
         self.found = ""
-        self._steps, self._next = 0, LOOK
+        self._next = LOOK
         self._half = 0.0, 0  # time [s] and evaluations after half of the steps up to the next look
 
     def __call__(self, run: Run) -> None:
         """Look at a motion if it has taken enough steps."""
-        self._steps = run.taken
-        if self._steps == self._next:
+        if run.taken == self._next:
             self._look(run)
             self._next *= 2
-        if self._steps == self._next // 2:
+        if run.taken == self._next // 2:
             self._half = run.t, run.statistics["evaluations"]
 
     def _look(self, run: Run) -> None:
         """Look at the rest of a motion, which goes on as since half of its steps."""
         left, (half, before), now = float(run.times[-1]) - run.t, self._half, run.statistics["evaluations"]
-        share, steps = left / (run.t - half), self._steps - self._steps // 2
+        share, steps = left / (run.t - half), run.taken - run.taken // 2
         if share * steps < LONG:
             return
         if isinstance(run, MinimalRun) and self._options is not None and few(self.system):
             linear = steps * linear_algebra(self.system) if run.name == RADAU else 0.0
             self._change(run, self._options, (now - before + linear) * share, SHARE * now)
         elif not self.found and (why := self._why(run, suitable(self.system, run.present))):
-            self._warn(f"{EXPLICIT} takes about {self._steps + share * steps:.2g} steps: {why}")
+            self._warn(f"{EXPLICIT} takes about {run.taken + share * steps:.2g} steps: {why}")
 
     def _why(self, run: Run, demands: Suitable) -> str:
         """Say why a motion is stiff; empty if accuracy asks for its steps."""

@@ -10,6 +10,8 @@ from flexel.examples.bicycle import bicycle, rolling
 from flexel.integration.dop853 import Dop853
 from flexel.integration.driver import LOOK_EVERY, Run
 from flexel.integration.step_method import InRow
+from flexel.integration.watch import LOOK
+from flexel.integration.watchdog import FIRST, WINDOW
 
 SECONDS = 4.0
 
@@ -114,6 +116,7 @@ def test_a_row_ends_where_a_motion_is_looked_at(monkeypatch: pytest.MonkeyPatch)
         return message
 
     monkeypatch.setattr(Run, "forward", forward)
+    assert not any(steps % LOOK_EVERY for steps in (FIRST, WINDOW, LOOK // 2))
     steps = moved(double_pendulum(), 2).statistics["steps"]
     assert set(range(LOOK_EVERY, steps, LOOK_EVERY)) <= set(taken)
 
