@@ -45,8 +45,8 @@ eigenvalues = system.linearize(system.initial).eigenvalues()
 assert np.abs(np.sort(eigenvalues.imag) - [-rate, rate]).max() < 1e-12 * rate
 
 times = np.linspace(0.0, 2.0, 21)
-run, why = begun(system, 2.0, start=system.state_at(rates={"bob tip.x": 0.3}), times=times)
-found = ended(system, run, why, times)
+motion = begun(system, 2.0, start=system.state_at(rates={"bob tip.x": 0.3}), times=times)
+found = ended(system, motion, times)
 energies = [state.energy.total for state in found.states]
 assert len(found.states) == 21 and np.ptp(energies) < 1e-8, np.ptp(energies)
 

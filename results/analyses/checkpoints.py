@@ -17,6 +17,7 @@ from flexel.base.errors import ModelError
 from flexel.integration.driver import INTERRUPTED, Run
 from flexel.integration.methods import Options
 from flexel.integration.outcome import Integration, States, from_start
+from flexel.integration.simulation import Plan
 from flexel.integration.trajectory import Trajectory
 from flexel.model.controller import Controller
 from flexel.model.rules import LinearRule
@@ -61,16 +62,16 @@ class Checkpoint:
     ----------
     path : str or Path
         As for `Motion.save`.
-    system, start, times, method, options
-        They identify the simulation: a file of another one is refused.
+    system : System
+    plan : Plan
+        Both identify the simulation: a file of another one is refused.
     """
 
-    def __init__(
-        self, path: str | Path, system: CoreSystem, start: State, times: Array, method: str, options: Options
-    ) -> None:
+    def __init__(self, path: str | Path, system: CoreSystem, plan: Plan) -> None:
         self.path = path_of(path, "simulate")
-        self._system, self._first, self._times = system, float(times[0]), from_start(start, times)
-        self._marks = _marks(system, start, self._times, method, options)
+        self._system, self._first = system, float(plan.times[0])
+        self._times = from_start(plan.start, plan.times)
+        self._marks = _marks(system, plan.start, self._times, plan.method, plan.options)
         self._next = monotonic() + CHECKPOINT_INTERVAL_S
         self._before: Integration | None = None
 

@@ -15,9 +15,8 @@ from flexel.base.blas import in_one_thread
 from flexel.base.callers import outside
 from flexel.base.errors import ModelError
 from flexel.integration import methods
-from flexel.integration.driver import Run
-from flexel.integration.outcome import Said, gathered, stored_times
-from flexel.integration.simulation import ended
+from flexel.integration.outcome import Said, stored_times
+from flexel.integration.simulation import Preparation, ended
 from flexel.integration.trajectory import Trajectory
 from flexel.model.quantities import history
 from flexel.model.state import State, own_state
@@ -124,22 +123,21 @@ def simulate_many(
 
     motion = MotionOf(float(grid[-1] - begin.t), grid, start, values, options)
 
-    def end(system: CoreSystem, run: Run, why: str) -> tuple[Array, dict[str, int], Said]:
-        with gathered() as said:
-            found = Trajectory(system, ended(system, run, why, grid))
+    def end(system: CoreSystem, begun: Preparation) -> tuple[Array, dict[str, int]]:
+        found = Trajectory(system, ended(system, begun, grid))
         rows = np.full((len(wanted), grid.size), np.nan)
         for row, name in zip(rows, wanted, strict=True):
             row[: len(found)] = found[name]
-        return rows, found.statistics, said
+        return rows, found.statistics
 
     runner = MotionRunner(system, values, motion.begun, end)
     runner.run(threads, progress)
     runner.report("simulate_many")
     all_rows = np.full((len(wanted), values.count, grid.size), np.nan)
     statistics: list[dict[str, int]] = [{} for _ in range(values.count)]
-    for i, (rows, counts, _) in runner.results.items():
+    for i, (rows, counts) in runner.results.items():
         all_rows[:, i], statistics[i] = rows, counts
-    _warn({i: said for i, (_, _, said) in sorted(runner.results.items())}, values.count)
+    _warn({i: runner.said.get(i, []) for i in sorted(runner.results)}, values.count)
     series = {name: (rows, unit) for name, rows, unit in zip(wanted, all_rows, units, strict=True)}
     given = values.given | {name: np.array(column) for name, column in values.initial.items()}
     return Ensemble(grid, series, given, runner.failed, statistics, Recomputation(system, values, motion))

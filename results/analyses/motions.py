@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Callable, Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -17,10 +16,8 @@ from flexel.base.errors import FlexelError
 from flexel.integration import methods
 from flexel.integration.driver import Run
 from flexel.integration.events import Event
-from flexel.integration.outcome import Integration, from_start
-from flexel.integration.simulation import audited_run, explained, planned
-from flexel.integration.stiffness import EXPLICIT, RADAU
-from flexel.integration.watch import Watch
+from flexel.integration.outcome import Integration
+from flexel.integration.simulation import Preparation, audited_run, explained, planned
 from flexel.model.state import State
 from flexel.results.analyses.checkpoints import Checkpoint
 from flexel.results.interrupted import Interrupted
@@ -76,20 +73,21 @@ def simulate(
         Number of stored states.
     method : str
         In minimal coordinates: DOP853, explicit and of order 8; Radau, implicit and of order 5 (Radau IIA), for
-        stiff motions that are smooth.  With all coordinates: generalized-alpha.  Or auto: DOP853, unless a
-        trial of both over some steps from the start shows that Radau takes less than half the evaluations (at
-        least 300 radians of the fastest mode, no contacts).  In stiff motions Radau may ignore degrees of
-        freedom and rates that are smaller than its tolerance times the largest ones, and use ``rtol=1e-6``,
-        unless `rtol` is given.  A motion is stiff if the largest eigenvalue of the linearized start times the
-        duration exceeds 3e4 (900 000 divided by the number of degrees of freedom where these are more than 30), and
-        100 times the radians that any method must follow (those of modes whose amplitude at the start exceeds a
-        twentieth of the motion or that are unstable, of rotations, and knots of tables), and counts as stiff above
-        300 degrees of freedom, where no eigenvalues are computed.  Generalized-alpha remains for stiff motions with
-        contacts, if a degree of freedom has no inertia, above 1000 degrees of freedom, and above 300 with kinematic
-        coordinates or internal states.  After 1000 steps, and each time this number has doubled, auto tries the other
-        method (DOP853 or Radau) for at least 60 steps, and continues with it if it needs less than half as many
-        evaluations, or less than a tenth if its tolerance is looser.  ``motion.message`` reports the choice and the
-        reason, and later changes.
+        stiff motions that are smooth.  With all coordinates: generalized-alpha.  Or auto: DOP853, unless a trial
+        of both over some steps from the start shows that Radau takes less than half the evaluations (at least
+        300 radians of the fastest mode, no contacts); the better trial is the beginning of the motion.  In stiff
+        motions Radau may ignore degrees of freedom and rates that are smaller than its tolerance times the
+        largest ones, and use ``rtol=1e-6``, unless `rtol` is given.  A motion is stiff if the largest eigenvalue
+        of the linearized start times the duration exceeds 3e4 (900 000 divided by the number of degrees of
+        freedom where these are more than 30), and 100 times the radians that any method must follow (those of
+        modes whose amplitude at the start exceeds a twentieth of the motion or that are unstable, of rotations,
+        and knots of tables), and counts as stiff above 300 degrees of freedom, where no eigenvalues are
+        computed.  Generalized-alpha remains for stiff motions with contacts, if a degree of freedom has no
+        inertia, above 1000 degrees of freedom, and above 300 with kinematic coordinates or internal states.
+        After 1000 steps, and each time this number has doubled, auto tries the other method (DOP853 or Radau)
+        for at least 60 steps, and continues with it if it needs less than half as many evaluations, or less
+        than a tenth if its tolerance is looser.  ``motion.message`` reports the choice and the reason, and later
+        changes.
     rtol : float, optional
         Local error in one step: DOP853 and Radau, relative to each variable (Radau: to its largest value so far;
         DOP853: of a degree of freedom, to the largest range of a coordinate in this motion so far if that is less),
@@ -163,8 +161,7 @@ def simulate(
         flag(progress, "simulate", "progress")
     given: dict[str, Any] = {"rtol": rtol, "atol": atol, "step": step, "first_step": first_step}
     given |= {"max_step": max_step, "spectral_radius": spectral_radius, "newton": newton}
-    asked = method
-    method, why, begin, grid, options = planned(
+    plan = planned(
         system,
         duration,
         start=start,
@@ -175,37 +172,41 @@ def simulate(
         rechoose=rechoose,
         **given,
     )
-    free = asked == methods.AUTO and not system.roles.actuated
-    keeper = None if checkpoint is None else Checkpoint(checkpoint, system, begin, grid, method, options)
+    first = float(plan.times[0])
+    keeper = None if checkpoint is None else Checkpoint(checkpoint, system, plan)
     before = None if keeper is None else keeper.before()
     if before is not None:
         if before.complete:
-            return Motion(system, before.found.since(float(grid[0])))
-        begin, options = before.found.states[-1], options.with_first(before.step)
-        log.info("continues at t = %g s from the checkpoint %s", begin.t, checkpoint)
+            return Motion(system, before.found.since(first))
+        plan = plan.onwards(before.found.states[-1], before.step)
+        log.info("continues at t = %g s from the checkpoint %s", plan.start.t, checkpoint)
     if keeper is not None:
-        keeper.try_out(begin)
-    log.info("t = %g to %g s by %s", begin.t, grid[-1], why or method)
-    ahead = from_start(begin, grid[grid >= begin.t])
-    run = methods.run_of(system, method, begin, ahead, float(duration), options)
-    own = replace(options, rtol=rtol, minor=None) if free else None  # not those that a method was chosen with
-    watch = Watch(system, own)
-    watched = method == EXPLICIT or (free and method == RADAU)
+        keeper.try_out(plan.start)
+    course = Preparation(system, plan)
+
+    def whole(found: Integration) -> Integration:
+        """Return the motion with the part that an earlier process has computed, and what is to be said of it."""
+        joined = found if keeper is None else keeper.whole(found)
+        return explained(joined, course.why, course.found)
+
     try:
-        found = run.run(progress, _each(keeper, watch if watched else None))
+        run = course.chosen()
+        log.info("t = %g to %g s by %s", plan.start.t, plan.times[-1], course.why or method)
+        found = run.run(progress, _each(keeper, course.watch))
     except FlexelError as error:
-        kept = explained(_whole(run.kept(str(error)), keeper), why, watch.found)
-        error.motion = Motion(system, kept.since(grid[0]))
+        if course.run is not None:
+            error.motion = Motion(system, whole(course.run.kept(str(error))).since(first))
         raise
     except KeyboardInterrupt:
-        kept = explained(_whole(run.interrupted(), keeper), why, watch.found)
+        if course.run is None:
+            raise
+        kept = whole(course.run.interrupted())
         if keeper is not None:
-            keeper.end(kept, run.step)
-        raise Interrupted(kept.message, Motion(system, kept.since(grid[0]))) from None
+            keeper.end(kept, course.run.step)
+        raise Interrupted(kept.message, Motion(system, kept.since(first))) from None
     log.info("t = %g s: %s; %s", run.t, found.message, found.statistics)
-    found = audited_run(system, run, found, grid[grid >= begin.t])
-    found = explained(_whole(found, keeper), why, watch.found)
-    motion = Motion(system, found.since(float(grid[0])))
+    found = whole(audited_run(system, run, found, plan.ahead))
+    motion = Motion(system, found.since(first))
     if keeper is not None:
         try:
             keeper.end(found, run.step)
@@ -213,11 +214,6 @@ def simulate(
             error.motion = motion
             raise
     return motion
-
-
-def _whole(found: Integration, keeper: Checkpoint | None) -> Integration:
-    """Join the motion with the part that an earlier process has computed."""
-    return found if keeper is None else keeper.whole(found)
 
 
 def _each(*calls: Callable[[Run], None] | None) -> Callable[[Run], None] | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from typing import Any, TypeVar
 
 from flexel.base.errors import FlexelError
@@ -10,11 +11,12 @@ from flexel.engine.lanes import LANES
 from flexel.engine.variants import Variant
 from flexel.integration.driver import Run
 from flexel.integration.lane_motions import LaneMotions, suits
+from flexel.integration.outcome import Said, gathered
+from flexel.integration.simulation import Preparation
 from flexel.results.analyses.variant_runs import Runner, Values, varied
 from flexel.system import CoreSystem
 
 T = TypeVar("T")
-Begun = tuple[Run, str]  # a motion that has begun, and why its method was chosen
 
 
 class MotionRunner(Runner[T]):
@@ -28,17 +30,35 @@ class MotionRunner(Runner[T]):
         Begins the motion of a system that is variant number i, after another motion of the same system.
     end : callable
         Continues the motion of a system to its end, and returns what is kept of it.
+
+    Attributes
+    ----------
+    said : dict of int to list
+        Warnings of the motions, by number of the variant.
     """
 
     def __init__(
         self,
         system: CoreSystem,
         values: Values,
-        begin: Callable[[Any, int, Run | None], Begun],
-        end: Callable[[Any, Run, str], T],
+        begin: Callable[[Any, int, Run | None], Preparation],
+        end: Callable[[Any, Preparation], T],
     ) -> None:
-        super().__init__(system, values, lambda own, i: end(own, *begin(own, i, None)))
+        super().__init__(system, values, self._whole)
         self._begin, self._end = begin, end
+        self.said: dict[int, Said] = {}
+
+    def _whole(self, system: Any, i: int) -> T:
+        """Compute the motion of a system that is variant number i."""
+        with self._gathering(i):
+            return self._end(system, self._begin(system, i, None))
+
+    @contextmanager
+    def _gathering(self, i: int) -> Iterator[None]:
+        """Gather what motions warn of for variant number i."""
+        with gathered() as said:
+            yield
+        self.said.setdefault(i, []).extend(said)
 
     def _work(self) -> Iterator[None]:
         """Take variants as long as there are any; each lane has a separate system."""
@@ -64,7 +84,8 @@ class MotionRunner(Runner[T]):
     def _attempt(self, i: int, call: Callable[..., bool], *arguments: Any) -> bool:
         """Return what a call returns for a variant, or False if the variant fails."""
         try:
-            return call(*arguments)
+            with self._gathering(i):
+                return call(*arguments)
         except FlexelError as error:
             self._fail(i, error)
             return False
@@ -76,7 +97,7 @@ class _Slots:
     def __init__(self, runner: MotionRunner[Any]) -> None:
         self._runner = runner
         self._systems: dict[int, tuple[CoreSystem, Variant]] = {}
-        self._begun: dict[int, Begun] = {}
+        self._begun: dict[int, Preparation] = {}
         self._lanes: LaneMotions | None = None
         self.number: dict[int, int] = {}  # the variant in each lane
 
@@ -87,15 +108,15 @@ class _Slots:
             self._systems[lane] = varied(runner._system, runner._values.places)
         system, variant = self._systems[lane]
         runner._set(system, variant, i)
-        before = self._begun[lane][0] if lane in self._begun else None
+        before = self._begun[lane].run if lane in self._begun else None
         self.number[lane], self._begun[lane] = i, runner._begin(system, i, before)
-        run = self._begun[lane][0]
+        run, watch = self._begun[lane].run, self._begun[lane].watch
         if self._lanes is None and suits(run):
             self._lanes = LaneMotions(run)
         if self._lanes is None or not self._lanes.takes(run):
             self._finish(lane)
             return False
-        self._lanes.enter(lane, run)
+        self._lanes.enter(lane, run, watch)
         return True
 
     def run(self) -> list[int]:
@@ -116,4 +137,4 @@ class _Slots:
 
     def _finish(self, lane: int) -> None:
         system, i = self._systems[lane][0], self.number[lane]
-        self._runner.results[i] = self._runner._end(system, *self._begun[lane])
+        self._runner.results[i] = self._runner._end(system, self._begun[lane])

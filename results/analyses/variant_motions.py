@@ -8,7 +8,7 @@ from typing import Any
 
 from flexel.base.arrays import Array
 from flexel.integration.driver import Run
-from flexel.integration.simulation import begun
+from flexel.integration.simulation import Preparation, begun
 from flexel.model.state import State
 from flexel.results.analyses.motions import simulate
 from flexel.results.analyses.variant_runs import Values
@@ -44,7 +44,7 @@ class MotionOf:
         """Compute the motion of variant number i, alone."""
         return simulate(system, self.duration, start=self._first(system, i), progress=False, **self._options)
 
-    def begun(self, system: CoreSystem, i: int, before: Run | None) -> tuple[Run, str]:
+    def begun(self, system: CoreSystem, i: int, before: Run | None) -> Preparation:
         """Begin the motion; reuses the arrays of an earlier motion of the same system."""
         return begun(system, self.duration, before, start=self._first(system, i), **self._options)
 

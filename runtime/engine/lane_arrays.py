@@ -17,7 +17,7 @@ from flexel.engine.rotations import LISTS, Rotations
 from flexel.engine.structs import Struct
 from flexel.generated._kernels import ffi, lib
 
-COUNTS = ("doing", "taken", "refused", "tries")
+COUNTS = ("doing", "taken", "refused", "tries", "most")
 NUMBERS = (
     "t",
     "h",
@@ -218,7 +218,7 @@ class LaneRun(LaneStruct):
     work : LaneWorkspace
     choice : LaneCoordinateWork
     steps : LaneSteps
-    doing, taken, refused, tries : ndarray of int (8,)
+    doing, taken, refused, tries, most : ndarray of int (8,)
     t, h, first, to, until, amplification, allowed, sign, size, fall : ndarray (8,)
         See lanes.h.
     v, e, w : ndarray (…, 8)
@@ -245,7 +245,7 @@ class LaneRun(LaneStruct):
         self.look = LaneLook(c.touching, look)
         for name, value in rules.items():
             setattr(c, name, value)
-        self.doing, self.taken, self.refused, self.tries = (self._counts(name) for name in COUNTS)
+        self.doing, self.taken, self.refused, self.tries, self.most = map(self._counts, COUNTS)
         found = [self.wide(name, 1)[0] for name in NUMBERS]
         self.t, self.h, self.first, self.to, self.until, self.amplification, _, self.allowed, *rest = found
         self.sign, self.size, _, self.fall = rest

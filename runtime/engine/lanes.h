@@ -28,8 +28,9 @@ typedef struct {
     double *v, *e, *w;
     double end, longest, shortest; /* times [s] */
     flexel_rules rules;
-    /* of each lane: what it does, steps taken and refused, and refused since the start of the step */
-    int *doing, *taken, *refused, *tries;
+    /* of each lane: what it does, steps taken and refused, refused since the start of the step, and after how many steps
+     * it stops */
+    int *doing, *taken, *refused, *tries, *most;
     /* time, the next step, the first one tried from here, and the end of the last trial; time of which a step is passed on */
     double *t, *h, *first, *to, *until;
     double *amplification, *amplification_new, *allowed; /* at the start of the step and at its end, and the largest value */

@@ -14,7 +14,8 @@ static void propose(flexel_lanes *l, flexel_trial *trial)
         if (!l->tries[i])
             l->first[i] = l->h[i];
         const double after = nextafter(l->t[i], INFINITY) - l->t[i], shortest = fmax(l->shortest, 10 * after);
-        if (l->h[i] < shortest && l->h[i] < l->end - l->t[i]) {
+        const int rests = !l->tries[i] && l->taken[i] >= l->most[i];
+        if (rests || (l->h[i] < shortest && l->h[i] < l->end - l->t[i])) {
             l->doing[i] = FLEXEL_STOPPED;
             continue;
         }

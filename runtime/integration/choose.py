@@ -11,7 +11,7 @@ import numpy as np
 from flexel.base.errors import FlexelError
 from flexel.integration.dop853 import Dop853
 from flexel.integration.excitation import followed
-from flexel.integration.methods import IMPLICIT_RTOL, Options, has_rates, rtol_of, tolerances_of
+from flexel.integration.methods import IMPLICIT_RTOL, Options, has_rates, rtol_of
 from flexel.integration.minimal import MinimalRun
 from flexel.integration.radau import Radau
 from flexel.integration.radau_saddle import sparse
@@ -47,42 +47,77 @@ class Way(NamedTuple):
     factor: float
 
 
+class Chosen(NamedTuple):
+    """The method for a motion.
+
+    Attributes
+    ----------
+    method : str
+    why : str
+        The method and why it was chosen; empty if it was named.
+    options : Options
+        With the tolerance that was chosen for it.
+    run : MinimalRun or None
+        The motion as far as it was tried.
+    """
+
+    method: str
+    why: str
+    options: Options
+    run: MinimalRun | None = None
+
+
+Prepared = Callable[[Options, type[StepMethod]], MinimalRun]  # a motion by some method, which has not begun
+
+
 def automatic(
-    system: CoreSystem, start: State, duration: float, options: Options
-) -> tuple[str, str, Options]:
-    """Choose the method for a motion; return it, the reason, and the options with the tolerance chosen for it."""
+    system: CoreSystem, start: State, duration: float, options: Options, prepared: Prepared
+) -> Chosen:
+    """Choose the method for a motion.
+
+    Parameters
+    ----------
+    system : CoreSystem
+    start : State
+    duration : float
+        [s]
+    options : Options
+        Those that the user has given.
+    prepared : callable(options, kind) -> MinimalRun
+        Prepares the motion by a method; it is tried, and goes on if that method is chosen.
+    """
     if system.roles.actuated and system.roles.nq:
-        return EXPLICIT, f"{EXPLICIT}, chosen because actuators hold a path", options
+        return Chosen(EXPLICIT, f"{EXPLICIT}, chosen because actuators hold a path", options)
     if system.roles.nq == 0:
         alone = "only internal states are integrated" if has_rates(system.structure) else "not integrated"
-        return EXPLICIT, f"{alone}: every motion is prescribed", options
+        return Chosen(EXPLICIT, f"{alone}: every motion is prescribed", options)
     found = suitable(system, start)
     if found.method == EXPLICIT:  # as where a law has an infinite derivative at the start
-        start = _soon(system, start, duration)
+        start = _soon(prepared(options, Dop853), start)
         found = suitable(system, start)
     if found.method:
         return _because(found.method, found.why, options)
     is_stiff, why = (True, found.why) if found.is_large else stiff(system, start, found, duration)
     suits = few(system) if is_stiff else smooth(system)
     if (found.is_large or float(found.rates.max(initial=0.0)) * duration > FEW) and suits:
-
-        def begun(some: Options, kind: type[StepMethod] = Radau) -> MinimalRun:
-            times = np.array([start.t, start.t + duration])
-            return MinimalRun(system, start, times, tolerances_of(system, some), (), True, kind)
-
-        count = explicit_evaluations(begun(options, Dop853))
-        ways, least = _ways(options, is_stiff), min(TRIAL * count, MOST)
+        run = prepared(options, Dop853)
+        count = explicit_evaluations(run)
         turns = 0.0 if found.is_large else followed(system, start, found.matrix, duration)
-        some = cheaper(begun, ways, count, Budget(least, LONGER * least), linear_algebra(system), turns)
-        if some is not None:
-            return _because(RADAU, f"{fewer(some)}; {why}", some)
+        least = min(TRIAL * count, MOST)
+        won = cheaper(
+            lambda some: prepared(some, Radau),
+            _ways(options, is_stiff),
+            count,
+            Budget(least, LONGER * least),
+            linear_algebra(system),
+            turns,
+        )
+        if won is not None:
+            return _because(RADAU, f"{fewer(won.options)}; {why}", *won)
         if np.isfinite(count):
-            return _because(
-                EXPLICIT, f"{why}; {RADAU} would not take fewer evaluations" * is_stiff or why, options
-            )
-    if is_stiff:
-        return _because(ALPHA, why, options)
-    return _because(EXPLICIT, why, options)
+            lost = f"{why}; {RADAU} would not take fewer evaluations" if is_stiff else why
+            return _because(EXPLICIT, lost, options, run)
+    return _because(ALPHA if is_stiff else EXPLICIT, why, options)
 
 
 def _ways(options: Options, is_stiff: bool) -> list[Way]:
@@ -108,22 +143,31 @@ def _loosely(options: Options) -> Options:
     return options if options.rtol is not None else replace(options, rtol=IMPLICIT_RTOL)
 
 
+class Won(NamedTuple):
+    """Options with which Radau takes fewer evaluations, and the motion as far as it was tried."""
+
+    options: Options
+    run: MinimalRun
+
+
 def cheaper(
-    begun: Callable[[Options], MinimalRun],
+    prepared: Callable[[Options], MinimalRun],
     ways: Sequence[Way],
     explicit: float,
     budget: Budget,
     more: float,
     turns: float = 0.0,
-) -> Options | None:
-    """Return the options with which Radau takes fewer evaluations; None if it takes as many.
+) -> Won | None:
+    """Return the first way in which Radau takes fewer evaluations than DOP853; None if there is none.
+
+    If the most accurate way is none, the least accurate one is tried next: the others take more evaluations than that.
 
     Parameters
     ----------
-    begun : callable(options) -> MinimalRun
-        A motion by Radau that has not begun.
+    prepared : callable(options) -> MinimalRun
+        Prepares the motion by Radau.
     ways : sequence of Way
-        What is tried.
+        The most accurate first.
     explicit : float
         Evaluations that DOP853 takes.
     budget : Budget
@@ -133,13 +177,21 @@ def cheaper(
     turns : float
         Radians that any method must follow.
     """
-    for some, factor in ways:
-        run = begun(some)
+
+    def tried(way: Way) -> Won | None:
+        run, wanted = prepared(way.options), explicit / way.factor
         least = turns * PER_RADIAN * (IMPLICIT_RTOL / run.tolerances.rtol) ** (1 / ORDER)
-        wanted = explicit / factor
-        if least < wanted and implicit_evaluations(run, more, budget, wanted) < wanted:
-            return some
-    return None
+        wins = least < wanted and implicit_evaluations(run, more, budget, wanted) < wanted
+        return Won(way.options, run) if wins else None
+
+    first, *others = ways
+    won = tried(first)
+    if won is not None or not others:
+        return won
+    last = tried(others[-1])
+    if last is None:
+        return None
+    return next(filter(None, map(tried, others[:-1])), last)
 
 
 def linear_algebra(system: CoreSystem) -> float:
@@ -152,18 +204,16 @@ def fewer(options: Options) -> str:
     return f"it takes fewer evaluations than {EXPLICIT} at rtol = {rtol_of(options):g}"
 
 
-def _soon(system: CoreSystem, start: State, duration: float) -> State:
-    """Return a state a few steps after the start; the start itself if there is none."""
-    times = np.array([start.t, start.t + duration])
-    run = MinimalRun(system, start, times, tolerances_of(system, Options()), (), True, Dop853)
+def _soon(run: MinimalRun, start: State) -> State:
+    """Return a state of a motion a few steps after its start; the start itself if there is none."""
     try:
-        run.begin()
-        while run.statistics["steps"] < SOON and run.t < start.t + duration:
-            run.forward()
+        run.once()
+        while run.taken < SOON and not run.at_end:
+            run.watched(1)
         return run.present
     except FlexelError:
         return start
 
 
-def _because(method: str, why: str, options: Options) -> tuple[str, str, Options]:
-    return method, f"{method}, chosen because {why}", options
+def _because(method: str, why: str, options: Options, run: MinimalRun | None = None) -> Chosen:
+    return Chosen(method, f"{method}, chosen because {why}", options, run)

@@ -57,6 +57,8 @@ class Run(ABC):
     events : sequence of Event
     taken : int
         Steps so far.
+    over : str or None
+        What has ended it before its last time, if anything.
     """
 
     def __init__(self, system: CoreSystem, start: State, times: Array, events: Sequence[Event]) -> None:
@@ -73,6 +75,8 @@ class Run(ABC):
         self._watchdog = Watchdog(start.structure)
         self.passed = Passages(system.evaluation)
         self.taken = 0
+        self.over: str | None = None
+        self._begun = False
 
     @property
     @abstractmethod
@@ -92,6 +96,12 @@ class Run(ABC):
     @abstractmethod
     def begin(self) -> None:
         """Prepare the first step."""
+
+    def once(self) -> None:
+        """Begin, unless the motion has begun already."""
+        if not self._begun:
+            self._begun = True
+            self.begin()
 
     @abstractmethod
     def advance(self) -> str | None:
@@ -216,6 +226,16 @@ class Run(ABC):
             code.forget_failure()  # of a trial that was refused
         return message
 
+    def watched(self, most: int) -> None:
+        """Go on as `forward` does, under the eyes of the watchdog, and note what has ended the motion."""
+        self.over = self.forward(most)
+        self._watchdog.look(self)
+
+    @property
+    def at_end(self) -> bool:
+        """Whether the motion is at its end."""
+        return self.over is not None or self.t >= self.times[-1]
+
     def run(self, progress: bool | None, each: Callable[[Run], None] | None = None) -> Integration:
         """Integrate to the last time.
 
@@ -226,20 +246,18 @@ class Run(ABC):
         each : callable, optional
             Called with the run after each step.
         """
-        self.begin()
+        self.once()
         return self.rest(progress, each)
 
     def rest(self, progress: bool | None, each: Callable[[Run], None] | None = None) -> Integration:
         """Compute the rest of a motion that has begun, as in `run`."""
         begin, end = float(self.times[0]), float(self.times[-1])
         show = seen(progress, "simulate")
-        message: str | None = None
         detailed = log.isEnabledFor(logging.DEBUG)
         bar = progress_bar(show, end - begin, "s", BAR)
         try:
-            while self.t < end and message is None:
-                message = self.forward(1 if detailed else LOOK_EVERY - self.taken % LOOK_EVERY)
-                self._watchdog.look(self)
+            while self.over is None and self.t < end:
+                self.watched(1 if detailed else LOOK_EVERY - self.taken % LOOK_EVERY)
                 if detailed:
                     log.debug("step to t = %.9g s", self.t)
                 bar.update(self.t - begin - float(bar.n))
@@ -250,7 +268,7 @@ class Run(ABC):
         against = self.judge()
         if against:
             self.warn(against)
-        return self.kept(message or "reached the end")
+        return self.kept(self.over or "reached the end")
 
     def interrupted(self) -> Integration:
         """Return the results so far of a motion that Ctrl-C has ended."""
@@ -307,7 +325,7 @@ class Run(ABC):
 
     def go_on(self, until: float) -> None:
         """Continue to another time, from a motion that has ended; what was stored before is dropped."""
-        self.times = np.array([self.t, until])
+        self.times, self.over = np.array([self.t, until]), None
         self.result = self.result.last()
 
     def so_far(self) -> Integration:

@@ -18,7 +18,7 @@ GROWTH = 10.0  # time constants after which an unstable mode matters, whatever i
 
 
 def followed(system: CoreSystem, state: State, A: Array, duration: float) -> float:
-    """Return the angle [rad] through which the excited modes turn; each knot of a table counts as a radian.
+    """Return the angle [rad] through which the excited modes turn.
 
     The motion is that of the equations linearized at its start, y' = f + A (y - y0): mode i with eigenvalue λ_i and
     left and right eigenvectors l_i, r_i has the amplitude l_i·f / (l_i·r_i λ_i).
@@ -45,7 +45,7 @@ def followed(system: CoreSystem, state: State, A: Array, duration: float) -> flo
     lasting = np.where(w.real < 0, np.minimum(duration, DECAY / np.maximum(-w.real, 1e-300)), duration)
     seen = (parts.max(axis=0, initial=0.0) > SEEN) | (w.real * duration > GROWTH)
     turned = float((np.abs(w) * lasting)[seen].max(initial=0.0))
-    return max(turned, _rotation(system, state) * duration, _knots(system, state.t, state.t + duration))
+    return max(turned, _rotation(system, state) * duration)
 
 
 def _rates(system: CoreSystem, state: State) -> Array:
@@ -70,7 +70,7 @@ def _rotation(system: CoreSystem, state: State) -> float:
     return float(np.abs(state.rates[(units == "rad") | (units == "-")]).max(initial=0.0))
 
 
-def _knots(system: CoreSystem, begin: float, end: float) -> float:
-    """Count the knots of tables within the motion: every step ends at one."""
+def knots(system: CoreSystem, begin: float, end: float) -> float:
+    """Count the knots of tables within the motion: a step of every method ends at each."""
     tables = [np.asarray(getattr(function, "knots", ())) for function in system.kinematics.time_functions]
     return float(sum(np.count_nonzero((knots > begin) & (knots < end)) for knots in tables))

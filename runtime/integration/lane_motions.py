@@ -28,6 +28,7 @@ from flexel.integration.dop853_stages import TABLEAU
 from flexel.integration.dop853_steps import accepted_error
 from flexel.integration.driver import Run
 from flexel.integration.minimal import SHORTEST, MinimalRun
+from flexel.integration.watch import Watch
 from flexel.model.snapshot import Snapshot
 
 STAGES = ("K", "V", "W", "turning", "w_rates")  # rates at the stages; the first row belongs to the start
@@ -39,9 +40,9 @@ def steps_of(run: MinimalRun) -> Dop853:
     return run.method
 
 
-def suits(run: Run) -> TypeGuard[MinimalRun]:
+def suits(run: Run | None) -> TypeGuard[MinimalRun]:
     """Whether a motion that has begun can go on in a lane."""
-    if not isinstance(run, MinimalRun) or not isinstance(run.method, Dop853) or run.t >= run.times[-1]:
+    if not isinstance(run, MinimalRun) or not isinstance(run.method, Dop853) or run.at_end:
         return False
     kinematics = run.kinematics
     roles, n = kinematics.roles, kinematics.structure.nf
@@ -72,6 +73,7 @@ class LaneMotions:
         kinematics, given, own = run.kinematics, run.tolerances, steps_of(run)
         s = own.steps
         self._runs: dict[int, MinimalRun] = {}
+        self._watches: dict[int, Watch | None] = {}
         work = LaneWorkspace(kinematics.evaluation.work)
         choice = LaneCoordinateWork(kinematics.lists, s.choice)
         choice.struct.accept = accepted_error(kinematics, given.rtol)
@@ -94,8 +96,8 @@ class LaneMotions:
         own.give_rules(self._lanes.struct.rules)
         self._roles = kinematics.roles
 
-    def enter(self, lane: int, run: MinimalRun) -> None:
-        """Put a motion that has begun into a lane."""
+    def enter(self, lane: int, run: MinimalRun, watch: Watch | None) -> None:
+        """Put a motion that has begun into a lane, and what looks at it."""
         l, method = self._lanes, steps_of(run)
         s, look = method.steps, run.touching.look
         choice = s.choice
@@ -129,9 +131,10 @@ class LaneMotions:
         l.sign[lane] = s.struct.sign
         l.size[lane], l.fall[lane] = run.dips.at(run.kinematics, run.t)
         l.taken[lane] = l.refused[lane] = l.tries[lane] = 0
+        l.most[lane] = watch.next - run.taken if watch else np.iinfo(np.int32).max
         l.doing[lane] = RUNNING
         l.take_account(lane, run.account)
-        self._runs[lane] = run
+        self._runs[lane], self._watches[lane] = run, watch
 
     def run(self) -> list[int]:
         """Take steps until lanes need attention; returns these lanes."""
@@ -154,17 +157,23 @@ class LaneMotions:
             if run.t < run.times[-1]:
                 return False
         self._leave(lane, run)
-        if stopped and run.advance() is None and self.takes(run):
-            self.enter(lane, run)
-            return False
-        return True
+        if not stopped:
+            return True
+        watch = self._watches[lane]
+        if watch is not None:
+            watch(run)
+        run.watched(1)
+        if not self.takes(run):
+            return True
+        self.enter(lane, run, watch)
+        return False
 
     def drop(self, lane: int) -> None:
         """Clear a lane."""
         self._lanes.doing[lane] = IDLE
         self._lanes.take_account(lane, None)
 
-    def takes(self, run: Run) -> TypeGuard[MinimalRun]:
+    def takes(self, run: Run | None) -> TypeGuard[MinimalRun]:
         """Whether a motion that has begun can go on in these lanes."""
         return suits(run) and run.kinematics.roles is self._roles
 

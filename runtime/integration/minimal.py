@@ -169,9 +169,15 @@ class MinimalRun(DenseRun):
 
     def onwards(self, kind: type[StepMethod], tolerances: Tolerances) -> MinimalRun:
         """Return another motion that continues from here by a method, to be tried."""
-        times, tolerances = np.array([self.t, self.times[-1]]), replace(tolerances, first_step=None)
+        times = np.array([self.t, self.times[-1]])
         other = MinimalRun(self.system, self.present, times, tolerances, (), self.choices.free, kind)
         other.covered.take_over(self.covered)
+        return other
+
+    def as_after(self, taken: float) -> MinimalRun:
+        """Return another motion that continues from here as if it had taken so many steps, to be tried."""
+        other = self.onwards(type(self.method), replace(self.tolerances, first_step=self.step))
+        other.covered.skip(taken)
         return other
 
     def _scale(self, kind: type[StepMethod]) -> Covered:
@@ -269,6 +275,7 @@ class MinimalRun(DenseRun):
 
     def count(self, taken: int, refused: int, evaluations: int) -> None:
         """Count steps that were taken and refused, and their evaluations."""
+        self.taken += taken
         self.counts["steps"] += taken
         self.counts["rejected"] += refused
         self.counts["evaluations"] += evaluations

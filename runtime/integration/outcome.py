@@ -137,6 +137,15 @@ def gathered() -> Iterator[Said]:
         _gathered.reset(token)
 
 
+def issue(text: str, category: type[Warning], owner: str = "simulate: ") -> None:
+    """Issue a warning after the name of its owner; within `gathered` who gathers does so."""
+    said = _gathered.get()
+    if said is None:
+        warnings.warn(owner + text, category, stacklevel=outside())
+    else:
+        said.append((category, text))
+
+
 EQUILIBRIA = "equilibria"  # the statistic that only states without anything between them have
 
 
@@ -186,18 +195,11 @@ class Integration:
         )
 
     def warn(self, text: str, category: type[Warning], owner: str = "simulate: ") -> None:
-        """Record evidence against the motion, and issue it once as a Python warning, after the owner's name.
-
-        Within `gathered` it is not issued: who gathers does so.
-        """
+        """Record evidence against the motion, and issue it once as a Python warning, after the owner's name."""
         if text in self.warnings:
             return
         self.warnings.append(text)
-        said = _gathered.get()
-        if said is None:
-            warnings.warn(owner + text, category, stacklevel=outside())
-        else:
-            said.append((category, text))
+        issue(text, category, owner)
 
     def since(self, t: float) -> Integration:
         """Drop the states before a time, such as a start that is not to be stored.

@@ -9,7 +9,7 @@ import numpy as np
 from flexel.base.arrays import Array
 from flexel.base.errors import FlexelError
 from flexel.engine.solvers import eigenvalues
-from flexel.integration.excitation import followed
+from flexel.integration.excitation import followed, knots
 from flexel.integration.radau_saddle import sparse
 from flexel.mechanics.inertia import InertiaError
 from flexel.model.state import State
@@ -94,6 +94,7 @@ def stiff(system: CoreSystem, state: State, found: Suitable, duration: float) ->
     if turns <= most:
         return False, f"{fastest}, at most {most:.3g}"
     turned = followed(system, state, found.matrix, duration)
+    turned = max(turned, knots(system, state.t, state.t + duration))  # each counts as a radian
     if turns <= SPREAD * turned:
         return False, f"{fastest}, and excited modes turn through {turned:.2g} rad, not {SPREAD:g} times less"
     return True, f"{fastest}, above {most:.3g}"

@@ -1,4 +1,4 @@
-"""Some steps from the start of a motion, to estimate the cost of the whole motion."""
+"""Some steps of a motion, to estimate the cost of all of it; the motion can then go on from there."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from flexel.engine.covered import FULL
 from flexel.integration.minimal import MinimalRun
 
 STEPS = 60  # of a trial at least
-LATER = 30  # more of them with the tolerances of later steps
+LATER = 30  # of one with the tolerances of later steps
 LAST, SHARE = 20, 0.1  # least number of steps that are taken as typical, and their share of a trial
 TYPICAL = (7 / 8) ** 8  # of all steps: there the length of steps that shrink as n^(-1/8) has its mean
 FALLS = 0.8  # of the estimate as the trial is twice as long, below which the motion begins with a transient
@@ -30,18 +30,18 @@ class Trial:
     Parameters
     ----------
     run : MinimalRun
-        That has not begun; it is of no use afterwards.
+        That has not begun.
     """
 
     def __init__(self, run: MinimalRun) -> None:
         self.run, self._end = run, float(run.times[-1])
         self._times, self._counts = [run.t], [0]
-        run.begin()
+        run.once()
 
     @property
     def ended(self) -> bool:
         """Whether the motion is at its end."""
-        return self.run.t >= self._end
+        return self.run.at_end
 
     @property
     def count(self) -> int:
@@ -56,7 +56,7 @@ class Trial:
     def go_on(self, steps: int, evaluations: float = 0.0) -> None:
         """Go on until it has taken so many steps and evaluations, or has ended."""
         while not self.ended and (self.taken < steps or self.count < evaluations):
-            self.run.forward()
+            self.run.watched(1)
             self._times.append(self.run.t)
             self._counts.append(self.run.statistics["evaluations"])
 
@@ -65,15 +65,23 @@ class Trial:
         """Steps of the whole motion if it goes on as in the last ones."""
         return self.taken + self._left
 
-    def evaluations(self, more: float) -> float:
+    def evaluations(self, more: float = 0.0) -> float:
         """Estimate the evaluations of the whole motion, each step of which costs `more` than it evaluates."""
         last = self._last
         each = (self.count - self._counts[-1 - last]) / last
         return self.count + self._left * each + self.steps * more
 
     @property
+    def evenly(self) -> float:
+        """The same for a motion that is under way: all of its steps are typical."""
+        begin = self._times[0]
+        return self.count * (1.0 if self.ended else (self._end - begin) / (self.run.t - begin))
+
+    @property
     def _left(self) -> float:
         """Steps up to the end."""
+        if self.ended:
+            return 0.0
         last = self._last
         return float(last * (self._end - self.run.t) / (self.run.t - self._times[-1 - last]))
 
@@ -91,16 +99,17 @@ def explicit_evaluations(run: MinimalRun) -> float:
     Parameters
     ----------
     run : MinimalRun
-        That has not begun; it is of no use afterwards.
+        That has not begun; it can go on afterwards.
     """
     try:
         trial = Trial(run)
         trial.go_on(STEPS)
         later = TYPICAL * trial.steps
-        if later > FULL:
-            run.covered.skip(later)
-            trial.go_on(STEPS + LATER)
-        return trial.evaluations(0.0)
+        if trial.ended or later <= FULL:
+            return trial.evaluations()
+        ahead = Trial(run.as_after(later))
+        ahead.go_on(LATER)
+        return trial.count + ahead.evenly
     except FlexelError:
         return np.inf
 
@@ -111,7 +120,7 @@ def implicit_evaluations(run: MinimalRun, more: float, budget: Budget, wanted: f
     Parameters
     ----------
     run : MinimalRun
-        That has not begun; it is of no use afterwards.
+        That has not begun; it can go on afterwards.
     more : float
         Evaluations that cost as much as the linear algebra of a step.
     budget : Budget

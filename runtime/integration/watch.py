@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-import warnings
+from typing import NamedTuple
 
 import numpy as np
 
-from flexel.base.callers import outside
 from flexel.base.errors import StiffWarning
 from flexel.integration.choose import CHEAPER, cheaper, fewer, later_ways, linear_algebra
 from flexel.integration.dop853 import Dop853
 from flexel.integration.driver import Run
-from flexel.integration.methods import Options, tolerances_of
+from flexel.integration.methods import AUTO, Options, tolerances_of
 from flexel.integration.minimal import MinimalRun
+from flexel.integration.outcome import issue
 from flexel.integration.radau import Radau
 from flexel.integration.stiffness import (
     ALPHA,
@@ -31,6 +31,14 @@ from flexel.system import CoreSystem
 LOOK = 1000  # steps after which a motion is looked at, and again after twice as many: short motions cost nothing more
 SHARE = 0.02  # of the evaluations so far, that each trial of Radau takes, but at least as many as `trial.STEPS` need
 LONG = 4 * LOOK  # steps that are left of a motion that is called long
+
+
+class Half(NamedTuple):
+    """A motion after half of the steps up to the next look."""
+
+    t: float
+    taken: int
+    evaluations: int
 
 
 class Watch:
@@ -52,25 +60,32 @@ class Watch:
         self.system, self._options = system, options
         self.found = ""
         self._next = LOOK
-        self._half = 0.0, 0  # time [s] and evaluations after half of the steps up to the next look
+        self._half: Half | None = None
+
+    @property
+    def next(self) -> int:
+        """Steps after which it looks at the motion next."""
+        return self._next // 2 if self._half is None else max(self._next, 2 * self._half.taken)
 
     def __call__(self, run: Run) -> None:
         """Look at a motion if it has taken enough steps."""
-        if run.taken == self._next:
-            self._look(run)
-            self._next *= 2
-        if run.taken == self._next // 2:
-            self._half = run.t, run.statistics["evaluations"]
+        if run.taken < self.next:
+            return
+        if self._half is None:
+            self._half = Half(run.t, run.taken, run.statistics["evaluations"])
+        else:
+            self._look(run, self._half)
+            self._half, self._next = Half(run.t, run.taken, run.statistics["evaluations"]), 2 * run.taken
 
-    def _look(self, run: Run) -> None:
+    def _look(self, run: Run, half: Half) -> None:
         """Look at the rest of a motion, which goes on as since half of its steps."""
-        left, (half, before), now = float(run.times[-1]) - run.t, self._half, run.statistics["evaluations"]
-        share, steps = left / (run.t - half), run.taken - run.taken // 2
+        left, now = float(run.times[-1]) - run.t, run.statistics["evaluations"]
+        share, steps = left / (run.t - half.t), run.taken - half.taken
         if share * steps < LONG:
             return
         if isinstance(run, MinimalRun) and self._options is not None and few(self.system):
             linear = steps * linear_algebra(self.system) if run.name == RADAU else 0.0
-            self._change(run, self._options, (now - before + linear) * share, SHARE * now)
+            self._change(run, self._options, (now - half.evaluations + linear) * share, SHARE * now)
         elif not self.found and (why := self._why(run, suitable(self.system, run.present))):
             self._warn(f"{EXPLICIT} takes about {run.taken + share * steps:.2g} steps: {why}")
 
@@ -85,30 +100,43 @@ class Watch:
     def _warn(self, found: str) -> None:
         """Name a method that suits the motion."""
         self.found, other = found, RADAU if few(self.system) else ALPHA
-        warnings.warn(
-            f"simulate: {found}; an interrupt keeps what was computed, use method='{other}'",
-            StiffWarning,
-            stacklevel=outside(),
-        )
+        issue(f"{found}; an interrupt keeps what was computed, use method='{other}'", StiffWarning)
 
     def _change(self, run: MinimalRun, options: Options, cost: float, least: float) -> None:
         """Go on with the other method if it takes fewer evaluations than the present one."""
+        options = options.with_first(None)
         own, more = tolerances_of(self.system, options), linear_algebra(self.system)
         if run.name == RADAU:
             if CHEAPER * explicit_evaluations(run.onwards(Dop853, own)) < cost:
                 self._say(f"{EXPLICIT} from t = {run.t:.3g} s on")
                 run.use(Dop853, own)
             return
-        some = cheaper(
+        won = cheaper(
             lambda way: run.onwards(Radau, tolerances_of(self.system, way)),
             later_ways(options),
             cost,
             Budget(least, least),
             more,
         )
-        if some is not None:
-            self._say(f"{RADAU} from t = {run.t:.3g} s on, since {fewer(some)}")
-            run.use(Radau, tolerances_of(self.system, some))
+        if won is not None:
+            self._say(f"{RADAU} from t = {run.t:.3g} s on, since {fewer(won.options)}")
+            run.use(Radau, tolerances_of(self.system, won.options))
 
     def _say(self, text: str) -> None:
         self.found = "; ".join(filter(None, (self.found, text)))
+
+
+def watch_of(system: CoreSystem, asked: str, method: str, options: Options) -> Watch | None:
+    """Return what looks at a motion by a method, which was asked for or chosen; None where nothing is looked for.
+
+    Parameters
+    ----------
+    system : CoreSystem
+    asked, method : str
+    options : Options
+        Those that the user has given.
+    """
+    free = asked == AUTO and not system.roles.actuated
+    return (
+        Watch(system, options if free else None) if method == EXPLICIT or (free and method == RADAU) else None
+    )

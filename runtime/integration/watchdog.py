@@ -54,8 +54,10 @@ class Watchdog:
     def __init__(self, structure: Structure) -> None:
         self._structure = structure
         self._slow = 0
-        self._t: list[float] = []  # at the start, and at the looks
-        self._changes: list[int] = []  # at the same times
+        self._next = FIRST
+        self._t: list[float] = []  # at the looks
+        self._taken: list[int] = []
+        self._changes: list[int] = []
         self._best = 0.0  # progress in a step [s]
 
     def look(self, run: Watched) -> None:
@@ -66,32 +68,31 @@ class Watchdog:
         DynamicsError
             If the rest of the motion would take too many steps or changes; says what moves fastest.
         """
-        if run.taken == FIRST:
-            self._best = (run.t - float(run.times[0])) / FIRST
-            self._note(run)
-        elif run.taken > FIRST and (run.taken - FIRST) % WINDOW == 0:
+        if run.taken < self._next:
+            return
+        self._next = run.taken + WINDOW
+        self._t.append(run.t)
+        self._taken.append(run.taken)
+        self._changes.append(run.statistics.get("rechoices", 0))
+        if len(self._t) == 1:
+            self._best = (run.t - float(run.times[0])) / run.taken
+        else:
             self._judge(run)
 
-    def _note(self, run: Watched) -> None:
-        self._t.append(run.t)
-        self._changes.append(run.statistics.get("rechoices", 0))
-
     def _judge(self, run: Watched) -> None:
-        self._note(run)
-        pace = (self._t[-1] - self._t[-2]) / WINDOW
+        pace = (self._t[-1] - self._t[-2]) / (self._taken[-1] - self._taken[-2])
         slow = pace * SLOWER < self._best
         self._best = max(self._best, pace)
         self._slow = self._slow + 1 if slow else 0
         for looks in (WINDOWS, MORE):
             if self._slow < looks:
                 return
-            covered, changes = (
-                self._t[-1] - self._t[-1 - looks],
-                self._changes[-1] - self._changes[-1 - looks],
-            )
+            changes = self._changes[-1] - self._changes[-1 - looks]
+            count = self._taken[-1] - self._taken[-1 - looks]
+            covered = self._t[-1] - self._t[-1 - looks]
             rest = (float(run.times[-1]) - run.t) / covered
-            if rest * changes > CHANGES or (looks == MORE and rest * looks * WINDOW > STEPS):
-                raise self._stopped(run, looks * WINDOW, covered, changes, rest)
+            if rest * changes > CHANGES or (looks == MORE and rest * count > STEPS):
+                raise self._stopped(run, count, covered, changes, rest)
 
     def _stopped(self, run: Watched, count: int, covered: float, changes: int, rest: float) -> DynamicsError:
         """Return the error of a motion that is not continued."""

@@ -8,12 +8,20 @@ import sympy as sp
 
 import flexel as fx
 from flexel.integration.choose import automatic
-from flexel.integration.methods import Options
+from flexel.integration.methods import Options, tolerances_of
+from flexel.integration.minimal import MinimalRun
+from flexel.integration.step_method import StepMethod
 
 
 def chosen(system: fx.System, duration: float) -> tuple[str, str]:
     """The method for a motion from the start, and why."""
-    return automatic(system, system.initial, duration, Options())[:2]
+    start = system.initial
+    times = np.array([start.t, start.t + duration])
+
+    def prepared(options: Options, kind: type[StepMethod]) -> MinimalRun:
+        return MinimalRun(system, start, times, tolerances_of(system, options), (), True, kind)
+
+    return automatic(system, start, duration, Options(), prepared)[:2]
 
 
 def pendulum(angle: float = 0.3) -> fx.System:
@@ -161,9 +169,60 @@ def orifice(e: Any, ed: Any) -> Any:
     return sp.sign(ed) * sp.sqrt(sp.Abs(ed))
 
 
-@pytest.mark.parametrize(("stiffness", "method"), [(1e9, "Radau"), (100.0, "DOP853")])
+@pytest.mark.parametrize(("stiffness", "method"), [(1e8, "Radau"), (100.0, "DOP853")])
 def test_a_start_that_cannot_be_linearized_is_judged_a_little_later(stiffness: float, method: str) -> None:
     system = masses(stiffness, (0.0, 0.0), orifice, 1.0)
     with pytest.raises(fx.FlexelError):
         system.linearize(system.initial)
     assert chosen(system, 20.0)[0] == method
+
+
+@pytest.mark.parametrize(
+    ("rates", "duration", "method", "most"),
+    [((1.0, 1.0), 4.0, "Radau", 90), ((1.0, 0.9), 0.1, "DOP853", 400)],
+)
+def test_what_was_tried_goes_on(
+    rates: tuple[float, float], duration: float, method: str, most: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The motion is that of the method that is chosen, to the last digit, and no step of it is taken twice."""
+    calls: list[float] = []
+    forward = MinimalRun.forward
+
+    def counted(self: MinimalRun, most: int = 1) -> str | None:
+        before, found = self.taken, forward(self, most)
+        calls.append(self.taken - before)
+        return found
+
+    monkeypatch.setattr(MinimalRun, "forward", counted)
+    system = masses(1e8, rates)
+    motion = system.simulate(duration, samples=11)
+    assert f"({method}, chosen because" in motion.message
+    assert 30 <= sum(calls) - motion.statistics["steps"] <= most
+    plain = system.simulate(duration, method=method, samples=11)
+    assert motion.statistics == plain.statistics
+    assert np.array_equal(motion.x, plain.x) and np.array_equal(motion.v, plain.v)
+
+
+def test_an_event_may_end_the_motion_while_it_is_tried() -> None:
+    """The masses move together for 2e-4 s: a tenth of a step of Radau in the long run."""
+    system = masses(1e8)
+    event = fx.Event("far", lambda state: state["A.x"] - 1.0002, terminal=True)
+    motion = system.simulate(4.0, events=[event])
+    assert motion.message.startswith("stopped by event 'far'")
+    assert [(name, state.t) for name, state in motion.events] == [("far", pytest.approx(2e-4, rel=1e-6))]
+    assert motion.t[-1] == pytest.approx(2e-4, rel=1e-6)
+
+
+def test_ctrl_c_keeps_a_motion_that_is_tried(monkeypatch: pytest.MonkeyPatch) -> None:
+    forward = MinimalRun.forward
+
+    def interrupted(self: MinimalRun, most: int = 1) -> str | None:
+        if self.name == "Radau" and self.taken == 40:
+            raise KeyboardInterrupt
+        return forward(self, most)
+
+    monkeypatch.setattr(MinimalRun, "forward", interrupted)
+    with pytest.raises(fx.Interrupted) as caught:
+        masses(1e8).simulate(4.0)
+    motion = caught.value.motion
+    assert motion.message.startswith("interrupted at t = ") and 0 < motion.t[-1] < 4.0

@@ -19,7 +19,7 @@ def test_a_motion_is_freed_without_the_garbage_collector(method: str) -> None:
     gc.collect()
     gc.disable()
     try:
-        run, _ = begun(system, 0.1, method=method)
+        run = begun(system, 0.1, method=method).run
         run.rest(False)
         freed = weakref.ref(run)
         del run

@@ -123,7 +123,7 @@ def test_a_method_begins_beyond_a_knot(first: str, second: type[StepMethod]) -> 
     """The last step before the change ends at a knot of the force."""
     t = np.linspace(0, 2, 101)
     system = pressed(1e4, 1.0, fx.Table(t, 10.0 + 0.1 * (-1.0) ** np.arange(101), kind="linear"))
-    run, _ = begun(system, 2.0, method=first, samples=11)
+    run = begun(system, 2.0, method=first, samples=11).run
     assert isinstance(run, MinimalRun)
     while run.t < min(0.9, run.knots.end):
         run.forward()
@@ -132,3 +132,34 @@ def test_a_method_begins_beyond_a_knot(first: str, second: type[StepMethod]) -> 
     motion = fx.Motion(system, run.rest(False))
     exact = system.simulate(2.0, samples=11, method="DOP853", rtol=1e-11)
     np.testing.assert_allclose(motion["A.x"], exact["A.x"], atol=1e-8)
+
+
+def test_variants_go_on_with_radau_as_single_motions_do(monkeypatch: pytest.MonkeyPatch) -> None:
+    """One variant leaves its lane, where it has come to rest on the stop; the other swings on in it."""
+    monkeypatch.setattr(watch, "LOOK", 200)
+    monkeypatch.setattr(watch, "LONG", 400)
+    system, times = pressed(1e7, 1e2), np.linspace(0, 20, 21)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        many = system.simulate_many(
+            20.0, parameters={"spring.stiffness": [10.0, 100.0]}, times=times, outputs=["A.x"], threads=1
+        )
+        alone = [
+            system.with_parameters({"spring.stiffness": k}).simulate(20.0, times=times) for k in (10.0, 100.0)
+        ]
+    assert ["; Radau from t = " in motion.message for motion in alone] == [True, False]
+    for row, motion in enumerate(alone):
+        np.testing.assert_allclose(many["A.x"][row], motion["A.x"], atol=1e-8)
+        assert many.statistics[row]["steps"] == pytest.approx(motion.statistics["steps"], rel=0.1)
+
+
+def test_variants_are_warned_of_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(watch, "LOOK", 100)
+    monkeypatch.setattr(watch, "LONG", 200)
+    with pytest.warns(
+        fx.StiffWarning, match="simulate_many: 2 of 2 variants, number 0 first: DOP853"
+    ) as said:
+        rolling().simulate_many(
+            0.5, initial={"ball.x'": [0.5, 1.0]}, outputs=["ball.x"], method="DOP853", threads=1
+        )
+    assert len(said) == 1
