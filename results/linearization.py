@@ -284,5 +284,5 @@ class Linearization(LinearizedSystem):
 def as_linearization(found: LinearizedSystem) -> Linearization:
     """Return linearized equations as a result."""
     made = Linearization(**{field.name: getattr(found, field.name) for field in fields(found)})
-    object.__setattr__(made, "_changed", getattr(found, "_changed", None))
+    object.__setattr__(made, "_afterwards", getattr(found, "_afterwards", None))
     return made

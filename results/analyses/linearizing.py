@@ -120,6 +120,8 @@ def root_loci(
     -----
     IncompleteWarning
         As `simulate_many`.
+    UnsteadyWarning
+        If the fastest of the states is steady for an instant only, or its coefficients vary in time.
 
     Examples
     --------
@@ -138,7 +140,18 @@ def root_loci(
         raise ModelError(f"root_loci: '{name}' has several components; let the loci run over '{name}[0]'")
     full = f"{name}'" if found.rates else name
     unit = history(system.structure, full).unit if found.rates else values.units[name]
+    _check_lasting(found)
     return RootLoci(full, run, found if of is None else found.reduced(of), unit)
+
+
+def _check_lasting(found: Linearizations) -> None:
+    """Warn of loci whose states do not last, or whose coefficients vary: at the fastest one of the first variant."""
+    good = next((i for i in range(len(found)) if i not in found.failed), None)
+    if good is None:
+        return
+    rates = np.array(list(found.rates.values()))
+    fastest = int(np.argmax(np.abs(rates).max(axis=0))) if rates.size else 0
+    found.linearization(good, fastest).check("root_loci")
 
 
 def _many(

@@ -91,7 +91,7 @@ def _speed(system: CoreSystem) -> list[tuple[str, str]]:
         suits = (
             f"{EXPLICIT} up to {longest:.3g} s, {RADAU if smooth(system) else ALPHA} for longer motions{word}"
         )
-    change = _variation(system, start, np.array([slowest, fastest])) if system.roles.motions else 0.0
+    change = _variation(system, start) if system.roles.motions else 0.0
     varying = f"vary with time, by {change:.2g} of the largest: use periodic(…).multipliers() or along(…)"
     return [
         *uneven,
@@ -101,10 +101,10 @@ def _speed(system: CoreSystem) -> list[tuple[str, str]]:
     ]
 
 
-def _variation(system: CoreSystem, start: State, values: Array) -> float:
+def _variation(system: CoreSystem, start: State) -> float:
     """Return how much prescribed motions change the linearized equations within a slow vibration from the start."""
     lin = linearize(system.kinematics, start)
-    return lin.variation(values) if lin.acceleration <= UNSTEADY else 0.0
+    return lin.variation() if lin.acceleration <= UNSTEADY else 0.0
 
 
 def _uneven(system: CoreSystem, inertia: Array) -> list[tuple[str, str]]:

@@ -9,7 +9,6 @@ non-holonomic constraints: a finite element approach"; Meijaard (1991).
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import partial
 
 import numpy as np
 
@@ -21,7 +20,7 @@ from flexel.mechanics.inertia import massless
 from flexel.mechanics.kinematics import Kinematics
 from flexel.mechanics.linearized_system import LinearizedSystem
 from flexel.mechanics.transfer import GeometricTransfer
-from flexel.mechanics.variation import variation
+from flexel.mechanics.variation import Afterwards
 from flexel.model.state import State, own_state
 
 
@@ -62,11 +61,6 @@ def linearized(kinematics: Kinematics, rows: Array) -> Stack:
         if not definite(matrix[:, : roles.nd]):
             raise massless(structure, roles, matrix[:, : roles.nd])
     return Stack(kinematics, found, transfers, matrices)
-
-
-def _matrices(kinematics: Kinematics, states: Sequence[State]) -> list[tuple[float, Array, Array, Array]]:
-    """Return the relative residual forces, M, C and K at states."""
-    return [(lin.acceleration, lin.M, lin.C, lin.K) for lin in linearize_all(kinematics, states)]
 
 
 class Stack:
@@ -126,7 +120,7 @@ class Stack:
             derivatives=T,
         )
         # not a field: it is neither pickled nor saved
-        object.__setattr__(found, "_changed", partial(variation, _matrices, kinematics))
+        object.__setattr__(found, "_afterwards", Afterwards(linearize_all, kinematics))
         return found
 
     def all_internal_states(self) -> dict[str, Array]:

@@ -6,7 +6,7 @@ M̄ δq_d'' + C̄ δq_d' + K̄ δq + Z δz = F̄ δu, δq_k' = 𝒜 δq_d' + ℬ
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -32,13 +32,12 @@ from flexel.mechanics.modes import (
 )
 from flexel.mechanics.rigid import spectrum
 from flexel.mechanics.soft import Spectrum, corrected
-from flexel.mechanics.steadiness import UNSTEADY, acceleration, check_constant, check_steady
+from flexel.mechanics.steadiness import UNSTEADY, acceleration, check_constant, check_lasting, check_steady
 from flexel.mechanics.transfer import GeometricTransfer
+from flexel.mechanics.variation import FREE, Afterwards
 from flexel.model.controller import refuse_sampled
 from flexel.model.state import State
 
-FREE = 1e-9  # size of an eigenvalue, relative to the largest, that counts as zero
-UNIT_S = 1.0  # time over which coefficients are compared where nothing vibrates [s]
 INSTEAD = (
     "between its instants the loop is open; linearize().sampled() gives the eigenvalues of the closed loop"
 )
@@ -122,7 +121,7 @@ class LinearizedSystem(Portable):
             If the state accelerates, or prescribed motions make the coefficients vary in time.
         """
         found = self._spectrum()
-        self._check("eigenvalues", found[0])
+        self.check("eigenvalues", found)
         return sort_eigenvalues(found[0])
 
     @property
@@ -137,30 +136,38 @@ class LinearizedSystem(Portable):
     def modes(self) -> Listing[Mode]:
         """Return the modes, one per complex pair (with positive imaginary part); sorts and warns as `eigenvalues`."""
         found = self._spectrum()
-        self._check("modes", found[0])
+        self.check("modes", found)
         return modes_of(found, self.dofs + self.internal, len(self.dynamic))
 
-    def variation(self, values: Array | ComplexArray) -> float:
-        """Return how much prescribed motions change M, C and K within a period of the slowest eigenvalue.
+    def variation(self) -> float:
+        """Return how much the coefficients change while the motion goes on, as the vibrations feel it.
 
-        Relative to their largest entries.  Zero for equations that were pickled or read from a file, which no longer
-        have a system.
+        See `Afterwards.change`.  Zero for equations that were pickled or read from a file, which no longer have a
+        system.
         """
-        changed: Callable[..., float] | None = getattr(self, "_changed", None)
-        if changed is None or not self.prescribed:
-            return 0.0
-        sizes = np.abs(values)
-        moving = sizes[sizes > FREE * sizes.max(initial=0.0)]
-        duration = 2 * np.pi / float(moving.min()) if moving.size else UNIT_S
-        return changed(self.state, (self.M, self.C, self.K), duration)
+        afterwards: Afterwards | None = getattr(self, "_afterwards", None)
+        return 0.0 if afterwards is None else afterwards.change(self, self._spectrum())
 
-    def _check(self, owner: str, values: ComplexArray) -> None:
-        """Refuse eigenvalues if a controller is sampled; warn if the state accelerates or coefficients vary."""
+    def check(self, owner: str, found: Spectrum | None = None) -> None:
+        """Refuse eigenvalues if a controller is sampled; warn if the state is not steady or coefficients vary.
+
+        Parameters
+        ----------
+        owner : str
+            What is named in the error and the warning.
+        found : tuple of ndarray, optional
+            Eigenvalues, left and right eigenvectors, if they are known.
+        """
         refuse_sampled(self.state.structure.controllers, owner, INSTEAD)
         off = self.acceleration
         check_steady(owner, off)
-        if off <= UNSTEADY and self.prescribed:
-            check_constant(owner, self.variation(values))
+        afterwards: Afterwards | None = getattr(self, "_afterwards", None)
+        if off > UNSTEADY or afterwards is None:
+            return
+        least = FREE * float(np.abs(self.state.rates).max(initial=0.0))
+        moving = [name for name in self.dofs if abs(self.state.rate(name)) > least]
+        if not check_lasting(owner, afterwards.drift(self), moving):
+            check_constant(owner, afterwards.change(self, found or self._spectrum()), moving)
 
     def _spectrum(self) -> Spectrum:
         """Compute eigenvalues, left and right eigenvectors of the state matrix; refine small eigenvalues."""

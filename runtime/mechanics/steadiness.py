@@ -3,18 +3,24 @@
 from __future__ import annotations
 
 import warnings
+from collections.abc import Sequence
 
 import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.callers import outside
 from flexel.base.errors import UnsteadyWarning
+from flexel.base.shown import listed
 from flexel.model.state import State
 
 UNSTEADY = 1e-6  # residual forces, relative to the balancing forces, above which a state is not steady
-# Change of the forces in a vibration, relative to the largest, above which the coefficients vary: below it, growth by
+# Change of coefficients, as the vibrations feel it, above which they vary: below it, growth by
 # parametric resonance is at most VARYING / 4 of the frequency (Mathieu's equation): a damping ratio of 0.25 % suffices.
 VARYING = 0.01
+OTHERS = (
+    "name degrees of freedom in which the motion is steady with m.independent(…): angles of yaw, lean and roll for "
+    "what rolls or spins (m.cardan_chain), deformations for what turns"
+)
 SMALL = 1e-3  # accelerations that count as small if no forces act, like the tolerance of steady motions
 
 
@@ -45,13 +51,40 @@ def check_steady(what: str, off: float) -> None:
         )
 
 
-def check_constant(what: str, change: float) -> None:
-    """Warn the caller of a public method about coefficients that vary by so much."""
-    if change > VARYING:
+def check_lasting(what: str, drift: float, moving: Sequence[str]) -> bool:
+    """Warn the caller of a public method about a state that is steady for an instant; whether it is.
+
+    Parameters
+    ----------
+    what : str
+    drift : float
+        See `Afterwards.drift`.
+    moving : sequence of str
+        Degrees of freedom with rates.
+    """
+    instant = drift > UNSTEADY
+    if instant:
         warnings.warn(
-            f"{what}: prescribed motions change the linearized equations by {change:.2g} of their largest coefficients "
-            "within a slow vibration, so these are eigenvalues of frozen coefficients, which do not decide stability; "
-            "use system.periodic(period=…).multipliers() or system.along(…, period=…).multipliers()",
+            f"{what}: nothing accelerates at this instant, but {listed(moving)} cannot keep the rate (as the motion "
+            f"goes on, residual forces change by {drift:.2g} of the balancing ones), so these do not describe the "
+            f"motion that follows; {OTHERS}",
+            UnsteadyWarning,
+            stacklevel=outside(),
+        )
+    return instant
+
+
+def check_constant(what: str, change: float, moving: Sequence[str]) -> None:
+    """Warn the caller of a public method about coefficients that vary by so much, and name what moves."""
+    if change > VARYING:
+        cause, remedy = f"the motion of {listed(moving)} changes", f"; {OTHERS}"
+        if not moving:
+            cause, remedy = "prescribed motions change", ""
+        warnings.warn(
+            f"{what}: {cause} the coefficients of the linearized equations, by up to {change:.2g} of what holds a "
+            "vibration, within the slowest one: these are eigenvalues of frozen coefficients, which do not decide "
+            "stability; use system.periodic(period=…).multipliers() or system.along(…, period=…).multipliers()"
+            f"{remedy}",
             UnsteadyWarning,
             stacklevel=outside(),
         )

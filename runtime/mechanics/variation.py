@@ -1,73 +1,153 @@
-"""How much the coefficients of linearized equations change while prescribed motions continue.
+"""How much the coefficients of linearized equations change while a motion goes on.
 
 The eigenvalues of equations whose coefficients vary in time are those of frozen coefficients: a vibration of the
 support can make a stable pendulum unstable, and a rotor in an unsymmetric bearing has no constant coefficients at all.
+A wheel that rolls steadily has constant coefficients in its angles of yaw and lean, but not in Euler parameters, which
+turn with it.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from typing import Protocol
 
 import numpy as np
 
-from flexel.base.arrays import Array
+from flexel.base.arrays import Array, Index
 from flexel.base.errors import PositionError
 from flexel.mechanics.kinematics import Kinematics
+from flexel.mechanics.soft import Spectrum
 from flexel.mechanics.states import state_of
 from flexel.mechanics.steadiness import UNSTEADY
+from flexel.mechanics.transfer import GeometricTransfer
 from flexel.mechanics.travel import travelled
 from flexel.model.snapshot import Snapshot
 from flexel.model.state import State
 
-Linearize = Callable[[Kinematics, Sequence[State]], Sequence[tuple[float, Array, Array, Array]]]
 FRACTIONS = (0.13, 0.37, 0.71)  # of the time over which they are compared: no symmetric parts of a period
 FARTHEST = 10.0  # way of the fastest quantity within that time, in its natural scale
 SHORTER = (1.0, 0.1, 0.01)  # parts of that time, tried in turn where the motion cannot go on for the whole
+AT_REST = 1e-9  # way of the degrees of freedom within it that is a rounding error of their rates
+FREE = 1e-9  # size of an eigenvalue, relative to the largest, that counts as zero
+DEFECTIVE = 1e-10  # product of left and right eigenvectors, both of length one, of several eigenvalues in one
+ROUNDING = 1e-11  # of stiffnesses, relative to the largest one
 
 
-def variation(
-    linearize: Linearize, kinematics: Kinematics, state: State, matrices: Sequence[Array], duration: float
-) -> float:
-    """Return the largest change of the forces of M, C and K in a vibration, relative to the largest force.
+class Equations(Protocol):
+    """Linearized equations, as `LinearizedSystem` has them."""
 
-    Degrees of freedom keep their rates; prescribed motions continue. Zero without prescribed motions that move, and if
-    degrees of freedom do not keep their rates: then the state is not one of a motion about which anything vibrates.
+    @property
+    def M(self) -> Array: ...  # noqa: D102, N802
+    @property
+    def K(self) -> Array: ...  # noqa: D102, N802
+    @property
+    def K_u(self) -> Array: ...  # noqa: D102, N802
+    @property
+    def Z(self) -> Array: ...  # noqa: D102, N802
+    @property
+    def state(self) -> State: ...  # noqa: D102
+    @property
+    def state_matrix(self) -> Array: ...  # noqa: D102
+    @property
+    def transfer(self) -> GeometricTransfer: ...  # noqa: D102
+    @property
+    def acceleration(self) -> float: ...  # noqa: D102
+
+
+class Afterwards:
+    """What becomes of linearized equations while their motion goes on.
 
     Parameters
     ----------
     linearize : callable
-        Residual forces, relative to those that balance, and M, C and K at complete states.
-    matrices : sequence of ndarray
-        M, C and K at the state.
-    duration : float
-        Period of the vibration [s], over which they are compared; a shorter time where quantities move fast.
+        Linearizes at complete states.
+    kinematics : Kinematics
     """
-    roles = kinematics.roles
-    fastest = float(np.abs(state.rates / kinematics.scales(np.arange(state.rates.size))).max(initial=0.0))
-    length = min(duration, FARTHEST / max(fastest, FARTHEST / duration))
-    times = [state.t + fraction * length for fraction in FRACTIONS]
-    if not any(np.any(roles.motion(t) != roles.motion(state.t)) for t in times if roles.motions):
-        return 0.0
-    for part in SHORTER:
-        later = _continued(kinematics, state, [state.t + part * (t - state.t) for t in times])
-        if len(later) == len(times):
-            break
-    weights = (2 * np.pi / duration) ** np.array([2, 1, 0])
-    size = max(map(_size, weights, matrices))
-    return max(
-        (
-            _size(weight, new - old) / size
-            for off, *found in linearize(kinematics, later)
-            if off <= UNSTEADY
-            for weight, new, old in zip(weights, found, matrices, strict=True)
-        ),
-        default=0.0,
-    )
+
+    def __init__(
+        self, linearize: Callable[[Kinematics, Sequence[State]], Sequence[Equations]], kinematics: Kinematics
+    ) -> None:
+        self._linearize, self._kinematics = linearize, kinematics
+
+    def drift(self, now: Equations) -> float:
+        """Return how much the residual forces change while all rates stay, relative to the balancing ones.
+
+        That is within the time in which the fastest quantity moves by its natural scale.  A state in which nothing
+        accelerates lasts only if this is zero: it is about one at the lowest point of a swing, or where a coordinate
+        belongs to a body that turns.
+        """
+        kinematics, state = self._kinematics, now.state
+        roles, fastest = kinematics.roles, self._fastest(state)
+        if not fastest or state.Phi_v[roles.prescribed].any():  # how these go on is not known
+            return 0.0
+        H, scales = now.transfer.H[:, : roles.nd], kinematics.scales(roles.dynamic)
+        changes = (
+            (now.K, state.rates[roles.dofs]),
+            (now.K_u, state.rates[roles.prescribed]),
+            (now.Z, state.zd),
+        )
+        change = sum(matrix @ rates for matrix, rates in changes)
+        rounding = ROUNDING * max(_size(scales[:, None] * matrix) * _size(rates) for matrix, rates in changes)
+        pulled = state.J[: state.stresses.size, : H.shape[0]].T @ state.stresses
+        inertia = fastest**2 * _size(scales[:, None] * now.M * scales)
+        balancing = max(_size(pulled) * _size(H * scales), inertia)
+        return max(_size(scales * change) - rounding, 0.0) / (fastest * balancing)
+
+    def change(self, now: Equations, found: Spectrum) -> float:
+        """Return how much the coefficients change, as the vibrations feel it: twice the change of an eigenvalue.
+
+        That is relative to the eigenvalue, of first order, or the geometric mean of what two vibrations do to one
+        another; of a stiffness that alone holds a mass, it is the relative change.  Degrees of freedom keep their
+        rates, and prescribed motions continue, for a period of the slowest vibration.  Zero if nothing moves.  Later
+        states that accelerate are left out.
+
+        Parameters
+        ----------
+        now : LinearizedSystem
+            In which nothing accelerates.
+        found : tuple of ndarray
+            Its eigenvalues, left and right eigenvectors.
+        """
+        values, left, right = _vibrations(found)
+        kinematics, state = self._kinematics, now.state
+        roles, fastest = kinematics.roles, self._fastest(state)
+        duration = 2 * np.pi / float(np.abs(values).min()) if values.size else 0.0
+        length = min(duration, FARTHEST / fastest) if fastest else duration
+        times = [state.t + fraction * length for fraction in FRACTIONS]
+        driven = any(np.any(roles.motion(t) != roles.motion(state.t)) for t in times if roles.motions)
+        if not driven and self._fastest(state, roles.dofs) * length <= AT_REST:
+            return 0.0
+        for part in SHORTER:
+            later = _continued(kinematics, state, [state.t + part * (t - state.t) for t in times])
+            if len(later) == len(times):
+                break
+        A, sizes = now.state_matrix, np.sqrt(np.abs(values))
+        largest = 0.0
+        for then in self._linearize(kinematics, later):
+            if then.acceleration <= UNSTEADY:
+                P = np.abs(left.conj().T @ (then.state_matrix - A) @ right) / np.outer(sizes, sizes)
+                largest = max(largest, 2 * float(np.sqrt(P * P.T).max()))
+        return largest
+
+    def _fastest(self, state: State, rows: Index | None = None) -> float:
+        """Return the fastest rate of some quantities, by default all, in natural scales [1/s]."""
+        which = np.arange(state.rates.size) if rows is None else rows
+        return float(np.abs(state.rates[which] / self._kinematics.scales(which)).max(initial=0.0))
 
 
-def _size(weight: float, matrix: Array) -> float:
-    """Return the largest force of a matrix in a vibration."""
-    return weight * float(np.abs(matrix).max(initial=0.0))
+def _vibrations(found: Spectrum) -> Spectrum:
+    """Return the eigenvalues that are not zero, and their left and right eigenvectors, whose products are one.
+
+    Those without such eigenvectors, which are several in one, are left out.
+    """
+    values, left, right = found
+    products = (left.conj() * right).sum(axis=0)  # of unit vectors
+    used = (np.abs(values) > FREE * np.abs(values).max(initial=0.0)) & (np.abs(products) > DEFECTIVE)
+    return values[used], left[:, used] / products[used].conj(), right[:, used]
+
+
+def _size(values: Array) -> float:
+    return float(np.abs(values).max(initial=0.0))
 
 
 def _continued(kinematics: Kinematics, state: State, times: Sequence[float]) -> list[State]:
