@@ -87,7 +87,7 @@ class Contact:
 
     @classmethod
     def restitution(
-        cls, stiffness: float, restitution: float, speed: float, *, law: str = "hunt-crossley", **others: Any
+        cls, stiffness: float, restitution: float, speed: float, *, law: str = "exact", **others: Any
     ) -> Contact:
         """Make a contact whose dissipation follows from a coefficient of restitution.
 
@@ -96,11 +96,13 @@ class Contact:
         stiffness : float
             As for the class.
         restitution : float
-            Speed of departure over speed of approach, 0 to 1; reliable from about 0.8.
+            Speed of departure over speed of approach, above 0 and at most 1.
         speed : float
             Speed of approach at which this holds [m/s].
-        law : "hunt-crossley" or "lankarani-nikravesh"
-            Source of the dissipation factor: 3 (1 - e)/(2 v) or 3 (1 - e²)/(4 v).
+        law : "exact", "hunt-crossley" or "lankarani-nikravesh"
+            Dissipation factor c: the one with which an impact at that speed v has the restitution e,
+            c v (1 + e) = ln((1 + c v)/(1 - c e v)), or an approximation of the literature for e near 1:
+            3 (1 - e)/(2 v) or 3 (1 - e²)/(4 v).
         **others
             Exponent, friction and the rest, as for the class.
 

@@ -13,6 +13,7 @@ from flexel.base.arrays import Array, ComplexArray
 from flexel.base.blas import in_one_thread
 from flexel.base.errors import ModelError
 from flexel.base.outside import DataFrame, Dataset, Figure
+from flexel.base.shown import counted, listed, prints
 from flexel.linear.harmonics import Coefficients, PeriodicVibration
 from flexel.results.motion import Motion, with_options_of
 from flexel.results.saved.archive import integration_of, record_of
@@ -41,6 +42,11 @@ class PeriodicSolution:
     def __init__(self, motion: Motion, vibration: PeriodicVibration) -> None:
         self.motion = motion
         self.vibration = vibration
+
+    @prints
+    def __repr__(self) -> str:
+        of = listed(self.motion.system.dynamic)
+        return f"{type(self).__name__}(period {self.period:g} s, {counted(self.vibration.harmonics, 'harmonic')}; {of})"
 
     @property
     def t(self) -> Array:

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from flexel.base.arrays import Array
+from flexel.mechanics.dynamics import complete
 from flexel.mechanics.linearize import Stack, linearized
 from flexel.mechanics.states import moving
 from flexel.model.snapshot import Snapshot
@@ -72,7 +73,7 @@ class LinearizedMany:
 
     def _moved(self, system: Any, i: int = 0) -> State:
         at = self._moments[i]
-        found: State = system.state(at.t, at.x, at.v, at.e, self._z)
+        found = complete(system.kinematics_of(self._roles), at.t, at.x, at.v, at.e, self._z)
         return steady(system, found) if self._steady else found
 
     def blocks(self, system: Any) -> dict[str, Array]:

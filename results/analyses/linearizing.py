@@ -151,7 +151,7 @@ def _check_lasting(found: Linearizations) -> None:
         return
     rates = np.array(list(found.rates.values()))
     fastest = int(np.argmax(np.abs(rates).max(axis=0))) if rates.size else 0
-    found.linearization(good, fastest).check("root_loci")
+    found.linearization(good, fastest)._check("root_loci")
 
 
 def _many(

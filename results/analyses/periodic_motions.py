@@ -15,6 +15,7 @@ from flexel.integration.outcome import Integration, States
 from flexel.linear.continuation import branch
 from flexel.linear.harmonics import PeriodicVibration
 from flexel.linear.periodic import periodic_motion
+from flexel.mechanics.drive_periods import check_drives
 from flexel.model.state import State
 from flexel.results.motion import Motion
 from flexel.results.periodic_branch import PeriodicBranch
@@ -50,7 +51,8 @@ def periodic(
     Raises
     ------
     ModelError, PositionError, LinearizationError
-        A period or a number of harmonics that is not positive; or as `flexel.linear.periodic.periodic_motion`.
+        A period or a number of harmonics that is not positive; a load or a prescribed motion without that period; or as
+        `flexel.linear.periodic.periodic_motion`.
     """
     period = positive(period, "periodic", "period")
     harmonics = whole(harmonics, "periodic", "harmonics", most=10**4)
@@ -58,6 +60,7 @@ def periodic(
         samples = whole(samples, "periodic", "samples", most=10**6)
     if accuracy is not None:
         accuracy = positive(accuracy, "periodic", "accuracy")
+    check_drives(system.kinematics, system.at_rest.t, period)
     X = None if start is None else _coefficients(start, harmonics, len(system.dynamic))
     orbit, vibration = periodic_motion(system, period, harmonics, X, samples, accuracy)
     return _solution(system, orbit.states, vibration)

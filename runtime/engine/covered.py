@@ -112,13 +112,18 @@ class Covered(Struct):
     @property
     def finest(self) -> float:
         """The rounding errors of the coordinates, relative to their largest range so far; zero if nothing has moved."""
-        c, covered = self.struct, float(self.arrays["sizes"][lib.FLEXEL_RANGE])
+        c, covered = self.struct, self.widest
         return c.resolution * c.atol * max(1.0, self.farthest) / covered if covered else 0.0
 
     def finest_of_step(self, span: float, steps: int) -> float:
         """Return the same relative to what the fastest one moves in a step, for so many steps in a time [s]."""
         c, moved = self.struct, self.fastest * span
         return c.resolution * c.atol * max(1.0, self.farthest) * steps / moved if moved else 0.0
+
+    @property
+    def widest(self) -> float:
+        """The largest range of a coordinate so far, in natural scales."""
+        return float(self.arrays["sizes"][lib.FLEXEL_RANGE])
 
     @property
     def fastest(self) -> float:

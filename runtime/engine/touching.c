@@ -54,12 +54,13 @@ static int may_be_passed(const flexel_touching *t, const step *s, int row)
 }
 
 /* Whether a contact that is approached at the start of a step, and closed there or at the end, is left again within it: it is
- * open at the end, or the body has come to its other side. */
-static int is_left_at_once(const step *s, int row)
+ * open at the end, or the body has come to its other side.  What rests on a plane that turns does not come closer, though
+ * the chord leaves the plane. */
+static int is_left_at_once(const flexel_touching *t, const step *s, int row)
 {
     const size_t at = (size_t)row * s->stride + s->i;
-    const double r0 = s->w0[at];
-    return r0 < 0 && (s->work->e[at] > 0 || along_chord(s, row) > -r0 * s->h / 2);
+    const double r0 = s->w0[at], closer = -r0 * s->h;
+    return r0 < 0 && (s->work->e[at] > 0 || (closer > t->least && along_chord(s, row) > closer / 2));
 }
 
 static int passes(const flexel_touching *t, const step *s)
@@ -68,7 +69,7 @@ static int passes(const flexel_touching *t, const step *s)
     for (int k = 0; k < t->ngaps; k++) {
         const size_t at = (size_t)t->gaps[k] * s->stride + s->i;
         const int open = s->e0[at] > 0 && s->work->e[at] > 0;
-        const int found = open ? may_be_passed(t, s, t->gaps[k]) : !t->sees_inside && is_left_at_once(s, t->gaps[k]);
+        const int found = open ? may_be_passed(t, s, t->gaps[k]) : !t->sees_inside && is_left_at_once(t, s, t->gaps[k]);
         any |= found;
         if (t->passed)
             t->passed[k] = (unsigned char)found;

@@ -6,6 +6,8 @@ from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Any
 
+import numpy as np
+
 from flexel.base.arguments import flag, number, text
 from flexel.base.copies import Constant, check_travels
 from flexel.base.errors import ModelError
@@ -20,7 +22,8 @@ class Event(Constant):
     Parameters
     ----------
     name : str
-    function : callable(State) -> float
+    function : callable(State) -> float or bool
+        A condition counts as 1 where it holds, and as -1 where it does not.
     terminal : bool
         Stop the simulation there.
     direction : int
@@ -39,7 +42,7 @@ class Event(Constant):
     """
 
     name: str
-    function: Callable[[State], float]
+    function: Callable[[State], float | bool]
     terminal: bool = False
     direction: int = 0
 
@@ -83,4 +86,6 @@ def value(event: Event, state: State) -> float:
             found = event.function(state)
     except RecursionError as error:
         raise ModelError(f"{owner}: its function calls itself endlessly; correct it") from error
+    if isinstance(found, bool | np.bool_):
+        return 1.0 if found else -1.0
     return number(found, owner, "value")

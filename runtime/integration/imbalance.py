@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 STEPS = 100  # that errors are allowed for; more steps may have larger ones
 PROMISED = 100.0  # errors of the energy that moves, in local tolerances, that are no surprise
 KINKS = 1000.0  # the same where forces have kinks within steps, whose errors their estimates do not know
@@ -32,12 +34,15 @@ class Imbalance:
         Error that tolerance, rounding and the integration of powers explain.
     when : float
         Time [s] at the end of the step in which most was missing.
+    covered : float
+        Largest range of a coordinate, in its natural scale; not known where it is infinite.
     """
 
     missing: float
     moved: float
     allowed: float
     when: float
+    covered: float = np.inf
 
     @property
     def fails(self) -> bool:
@@ -46,5 +51,6 @@ class Imbalance:
 
     def __str__(self) -> str:
         if not self.moved:
-            return "nothing has moved"
+            seen = 0 < self.covered < np.inf
+            return "nothing has moved" + f" by more than {self.covered:.1g} of the model's size" * seen
         return f"energy balance within {self.missing:.1g} of {self.moved:.3g} J"

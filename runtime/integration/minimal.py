@@ -449,7 +449,8 @@ class MinimalRun(DenseRun):
         allowed = promised + c.doubt + ROUNDING * max(steps, STEPS) ** 0.5 * sizes
         moves = moved > AT_REST * sizes and self.covered.fastest > STILL
         when = float(self.times[0]) + c.when
-        return Imbalance(c.farthest if moves else 0.0, moved if moves else 0.0, allowed, when)
+        missing, moved = (c.farthest, moved) if moves else (0.0, 0.0)
+        return Imbalance(missing, moved, allowed, when, self.covered.widest)
 
     def workers_at(self, t: float) -> str:
         """Name what works most at the end of the step that ends near a time [s], after a colon."""

@@ -98,9 +98,14 @@ class Watch:
         return demands.why if demands.method == ALPHA or demands.is_large else ""
 
     def _warn(self, found: str) -> None:
-        """Name a method that suits the motion."""
-        self.found, other = found, RADAU if few(self.system) else ALPHA
-        issue(f"{found}; an interrupt keeps what was computed, use method='{other}'", StiffWarning)
+        """Say what suits the motion."""
+        self.found = found
+        other = (
+            f"use method='{ALPHA}'"
+            if self._options is not None
+            else "omit method, so that a faster one is chosen"
+        )
+        issue(f"{found}; an interrupt keeps what was computed, {other}", StiffWarning)
 
     def _change(self, run: MinimalRun, options: Options, cost: float, least: float) -> None:
         """Go on with the other method if it takes fewer evaluations than the present one."""

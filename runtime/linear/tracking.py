@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -158,6 +159,9 @@ class Branches:
     def boundaries(self, names: Sequence[str] | None = None) -> list[Boundary]:
         """Find where real parts change sign, refined between the values of the parameter, in increasing order.
 
+        Where nothing is damped, that is where they leave zero upwards: two vibrations meet there, or a vibration
+        becomes a divergence.
+
         The state matrix is interpolated through four neighbours, which is exact for a polynomial of third degree, such
         as equations over a speed; without matrices, the eigenvalues are interpolated.
         """
@@ -178,9 +182,29 @@ class Branches:
             known = np.flatnonzero(np.abs(real) > floor)
             for i, k in zip(known, known[1:], strict=False):
                 if real[i] * real[k] < 0:
-                    at = self._between(int(i), int(k), j)
-                    root = float(_brentq(lambda p, at=at: at(p).real, *self.parameter[[i, k]], xtol=1e-14))
-                    yield root, abs(at(root).imag)
+                    yield self._root(int(i), int(k), j, 0.0)
+            for left, right in self._onsets(real, floor):
+                yield self._root(left, right, j, floor)
+
+    def _onsets(self, real: Array, floor: float) -> Iterator[tuple[int, int]]:
+        """Yield neighbouring values of the parameter between which a real part leaves zero upwards, and stays there.
+
+        Without matrices there is no interpolation of it: it grows with the root of the parameter.
+        """
+        signs = np.where(np.abs(real) <= floor, 0.0, np.sign(real)).tolist()
+        for step in (1, -1) if self.matrices is not None else ():
+            order = list(range(len(signs)))[::step]
+            known = 0.0
+            for i, k in pairwise(order):
+                known = signs[i] or known
+                if signs[i] == 0 and signs[k] > 0 and known >= 0:
+                    yield min(i, k), max(i, k)
+
+    def _root(self, i: int, k: int, j: int, level: float) -> tuple[float, float]:
+        """Return the value of the parameter between two where branch j has a real part, and its frequency there."""
+        at = self._between(i, k, j)
+        root = float(_brentq(lambda p: at(p).real - level, *self.parameter[[i, k]], xtol=1e-14))
+        return root, abs(at(root).imag)
 
     def _between(self, i: int, k: int, j: int) -> Callable[[float], complex]:
         """Interpolate the branch j between its values i and k of the parameter."""

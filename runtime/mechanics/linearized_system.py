@@ -32,7 +32,14 @@ from flexel.mechanics.modes import (
 )
 from flexel.mechanics.rigid import spectrum
 from flexel.mechanics.soft import Spectrum, corrected
-from flexel.mechanics.steadiness import UNSTEADY, acceleration, check_constant, check_lasting, check_steady
+from flexel.mechanics.steadiness import (
+    UNSTEADY,
+    VARYING,
+    acceleration,
+    check_steady,
+    warn_of_instant,
+    warn_of_variation,
+)
 from flexel.mechanics.transfer import GeometricTransfer
 from flexel.mechanics.variation import FREE, Afterwards
 from flexel.model.controller import refuse_sampled
@@ -121,7 +128,7 @@ class LinearizedSystem(Portable):
             If the state accelerates, or prescribed motions make the coefficients vary in time.
         """
         found = self._spectrum()
-        self.check("eigenvalues", found)
+        self._check("eigenvalues", found)
         return sort_eigenvalues(found[0])
 
     @property
@@ -136,7 +143,7 @@ class LinearizedSystem(Portable):
     def modes(self) -> Listing[Mode]:
         """Return the modes, one per complex pair (with positive imaginary part); sorts and warns as `eigenvalues`."""
         found = self._spectrum()
-        self.check("modes", found)
+        self._check("modes", found)
         return modes_of(found, self.dofs + self.internal, len(self.dynamic))
 
     def variation(self) -> float:
@@ -148,7 +155,7 @@ class LinearizedSystem(Portable):
         afterwards: Afterwards | None = getattr(self, "_afterwards", None)
         return 0.0 if afterwards is None else afterwards.change(self, self._spectrum())
 
-    def check(self, owner: str, found: Spectrum | None = None) -> None:
+    def _check(self, owner: str, found: Spectrum | None = None) -> None:
         """Refuse eigenvalues if a controller is sampled; warn if the state is not steady or coefficients vary.
 
         Parameters
@@ -164,10 +171,18 @@ class LinearizedSystem(Portable):
         afterwards: Afterwards | None = getattr(self, "_afterwards", None)
         if off > UNSTEADY or afterwards is None:
             return
+        found = found or self._spectrum()
+        drift = afterwards.drift(self, found)
+        if drift > UNSTEADY:
+            warn_of_instant(owner, drift, self._moving)
+        elif (change := afterwards.change(self, found)) > VARYING:
+            warn_of_variation(owner, change, self._moving)
+
+    @property
+    def _moving(self) -> list[str]:
+        """Names of the degrees of freedom with rates."""
         least = FREE * float(np.abs(self.state.rates).max(initial=0.0))
-        moving = [name for name in self.dofs if abs(self.state.rate(name)) > least]
-        if not check_lasting(owner, afterwards.drift(self), moving):
-            check_constant(owner, afterwards.change(self, found or self._spectrum()), moving)
+        return [name for name in self.dofs if abs(self.state.rate(name)) > least]
 
     def _spectrum(self) -> Spectrum:
         """Compute eigenvalues, left and right eigenvectors of the state matrix; refine small eigenvalues."""

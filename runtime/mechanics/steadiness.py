@@ -51,8 +51,8 @@ def check_steady(what: str, off: float) -> None:
         )
 
 
-def check_lasting(what: str, drift: float, moving: Sequence[str]) -> bool:
-    """Warn the caller of a public method about a state that is steady for an instant; whether it is.
+def warn_of_instant(what: str, drift: float, moving: Sequence[str]) -> None:
+    """Warn the caller of a public method about a state that is steady for an instant only.
 
     Parameters
     ----------
@@ -62,32 +62,28 @@ def check_lasting(what: str, drift: float, moving: Sequence[str]) -> bool:
     moving : sequence of str
         Degrees of freedom with rates.
     """
-    instant = drift > UNSTEADY
-    if instant:
-        warnings.warn(
-            f"{what}: nothing accelerates at this instant, but {listed(moving)} cannot keep the rate (as the motion "
-            f"goes on, residual forces change by {drift:.2g} of the balancing ones), so these do not describe the "
-            f"motion that follows; {OTHERS}",
-            UnsteadyWarning,
-            stacklevel=outside(),
-        )
-    return instant
+    who = f"{listed(moving)} cannot keep the rate" if moving else "prescribed motions change that"
+    remedy = OTHERS if moving else "use system.along(…, period=…).multipliers()"
+    warnings.warn(
+        f"{what}: nothing accelerates at this instant, but {who} (as the motion goes on, residual forces change by "
+        f"{drift:.2g} of the balancing ones), so these do not describe the motion that follows; {remedy}",
+        UnsteadyWarning,
+        stacklevel=outside(),
+    )
 
 
-def check_constant(what: str, change: float, moving: Sequence[str]) -> None:
+def warn_of_variation(what: str, change: float, moving: Sequence[str]) -> None:
     """Warn the caller of a public method about coefficients that vary by so much, and name what moves."""
-    if change > VARYING:
-        cause, remedy = f"the motion of {listed(moving)} changes", f"; {OTHERS}"
-        if not moving:
-            cause, remedy = "prescribed motions change", ""
-        warnings.warn(
-            f"{what}: {cause} the coefficients of the linearized equations, by up to {change:.2g} of what holds a "
-            "vibration, within the slowest one: these are eigenvalues of frozen coefficients, which do not decide "
-            "stability; use system.periodic(period=…).multipliers() or system.along(…, period=…).multipliers()"
-            f"{remedy}",
-            UnsteadyWarning,
-            stacklevel=outside(),
-        )
+    cause = f"the motion of {listed(moving)} changes" if moving else "prescribed motions change"
+    remedy = f"; {OTHERS}" if moving else ""
+    warnings.warn(
+        f"{what}: {cause} the coefficients of the linearized equations, by up to {change:.2g} of what holds a "
+        "vibration, within the slowest one: these are eigenvalues of frozen coefficients, which do not decide "
+        "stability; use system.periodic(period=…).multipliers() or system.along(…, period=…).multipliers()"
+        f"{remedy}",
+        UnsteadyWarning,
+        stacklevel=outside(),
+    )
 
 
 def _largest(values: Array) -> float:

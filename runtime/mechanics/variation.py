@@ -13,7 +13,7 @@ from typing import Protocol
 
 import numpy as np
 
-from flexel.base.arrays import Array, Index
+from flexel.base.arrays import Array, ComplexArray, Index
 from flexel.base.errors import PositionError
 from flexel.mechanics.kinematics import Kinematics
 from flexel.mechanics.soft import Spectrum
@@ -27,13 +27,15 @@ from flexel.model.state import State
 FRACTIONS = (0.13, 0.37, 0.71)  # of the time over which they are compared: no symmetric parts of a period
 FARTHEST = 10.0  # way of the fastest quantity within that time, in its natural scale
 SHORTER = (1.0, 0.1, 0.01)  # parts of that time, tried in turn where the motion cannot go on for the whole
-AT_REST = 1e-9  # way of the degrees of freedom within it that is a rounding error of their rates
+RESTING = 1e-9  # way of the degrees of freedom within it that is a rounding error of their rates
 FREE = 1e-9  # size of an eigenvalue, relative to the largest, that counts as zero
 DEFECTIVE = 1e-10  # product of left and right eigenvectors, both of length one, of several eigenvalues in one
-ROUNDING = 1e-11  # of stiffnesses, relative to the largest one
+SLOW = 1e-4  # eigenvalue, relative to the largest, below which rounding errors count
+UNIT_S = 1.0  # time in which a state is followed where nothing vibrates [s]
+CANCELLED = 1e-11  # of stiffnesses, relative to the largest one
 
 
-class Equations(Protocol):
+class Linear(Protocol):
     """Linearized equations, as `LinearizedSystem` has them."""
 
     @property
@@ -65,21 +67,22 @@ class Afterwards:
     """
 
     def __init__(
-        self, linearize: Callable[[Kinematics, Sequence[State]], Sequence[Equations]], kinematics: Kinematics
+        self, linearize: Callable[[Kinematics, Sequence[State]], Sequence[Linear]], kinematics: Kinematics
     ) -> None:
         self._linearize, self._kinematics = linearize, kinematics
 
-    def drift(self, now: Equations) -> float:
+    def drift(self, now: Linear, found: Spectrum) -> float:
         """Return how much the residual forces change while all rates stay, relative to the balancing ones.
 
-        That is within the time in which the fastest quantity moves by its natural scale.  A state in which nothing
-        accelerates lasts only if this is zero: it is about one at the lowest point of a swing, or where a coordinate
-        belongs to a body that turns.
+        That is within a period of the slowest vibration, or the time in which the fastest quantity moves by its
+        natural scale.  A state in which nothing accelerates lasts only if this is zero: it is about one at the lowest
+        point of a swing, or where a coordinate belongs to a body that turns.
         """
         kinematics, state = self._kinematics, now.state
         roles, fastest = kinematics.roles, self._fastest(state)
         if not fastest or state.Phi_v[roles.prescribed].any():  # how these go on is not known
             return 0.0
+        time = min(_period(found[0]) or UNIT_S, 1 / fastest)
         H, scales = now.transfer.H[:, : roles.nd], kinematics.scales(roles.dynamic)
         changes = (
             (now.K, state.rates[roles.dofs]),
@@ -87,13 +90,15 @@ class Afterwards:
             (now.Z, state.zd),
         )
         change = sum(matrix @ rates for matrix, rates in changes)
-        rounding = ROUNDING * max(_size(scales[:, None] * matrix) * _size(rates) for matrix, rates in changes)
+        rounding = CANCELLED * max(
+            _size(scales[:, None] * matrix) * _size(rates) for matrix, rates in changes
+        )
         pulled = state.J[: state.stresses.size, : H.shape[0]].T @ state.stresses
         inertia = fastest**2 * _size(scales[:, None] * now.M * scales)
         balancing = max(_size(pulled) * _size(H * scales), inertia)
-        return max(_size(scales * change) - rounding, 0.0) / (fastest * balancing)
+        return max(_size(scales * change) - rounding, 0.0) * time / balancing
 
-    def change(self, now: Equations, found: Spectrum) -> float:
+    def change(self, now: Linear, found: Spectrum) -> float:
         """Return how much the coefficients change, as the vibrations feel it: twice the change of an eigenvalue.
 
         That is relative to the eigenvalue, of first order, or the geometric mean of what two vibrations do to one
@@ -111,28 +116,35 @@ class Afterwards:
         values, left, right = _vibrations(found)
         kinematics, state = self._kinematics, now.state
         roles, fastest = kinematics.roles, self._fastest(state)
-        duration = 2 * np.pi / float(np.abs(values).min()) if values.size else 0.0
+        duration = _period(values)
         length = min(duration, FARTHEST / fastest) if fastest else duration
         times = [state.t + fraction * length for fraction in FRACTIONS]
         driven = any(np.any(roles.motion(t) != roles.motion(state.t)) for t in times if roles.motions)
-        if not driven and self._fastest(state, roles.dofs) * length <= AT_REST:
+        if not driven and self._fastest(state, roles.dofs) * length <= RESTING:
             return 0.0
         for part in SHORTER:
             later = _continued(kinematics, state, [state.t + part * (t - state.t) for t in times])
             if len(later) == len(times):
                 break
-        A, sizes = now.state_matrix, np.sqrt(np.abs(values))
-        largest = 0.0
+        A, largest = now.state_matrix, 0.0
+        sizes = np.sqrt(np.maximum(np.abs(values), SLOW * np.abs(values).max(initial=0.0)))
         for then in self._linearize(kinematics, later):
             if then.acceleration <= UNSTEADY:
-                P = np.abs(left.conj().T @ (then.state_matrix - A) @ right) / np.outer(sizes, sizes)
-                largest = max(largest, 2 * float(np.sqrt(P * P.T).max()))
+                felt = np.abs(left.conj().T @ (then.state_matrix - A) @ right) / np.outer(sizes, sizes)
+                largest = max(largest, 2 * float(np.sqrt(felt * felt.T).max(initial=0.0)))
         return largest
 
     def _fastest(self, state: State, rows: Index | None = None) -> float:
         """Return the fastest rate of some quantities, by default all, in natural scales [1/s]."""
         which = np.arange(state.rates.size) if rows is None else rows
         return float(np.abs(state.rates[which] / self._kinematics.scales(which)).max(initial=0.0))
+
+
+def _period(values: ComplexArray) -> float:
+    """Return the period of the slowest eigenvalue that is not zero [s]; zero if there is none."""
+    sizes = np.abs(values)
+    moving = sizes[sizes > FREE * sizes.max(initial=0.0)]
+    return 2 * np.pi / float(moving.min()) if moving.size else 0.0
 
 
 def _vibrations(found: Spectrum) -> Spectrum:

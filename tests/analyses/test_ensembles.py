@@ -299,3 +299,17 @@ def test_what_single_motions_warn_of_is_said_once_a_cause(threads: int) -> None:
     texts = sorted(str(one.message) for one in caught)
     assert len(texts) == len({text.split("wheel ")[1].split(" pulls")[0] for text in texts}) <= 2
     assert all(" of 12 variants, number 0 first: wheel '" in text for text in texts)
+
+
+def test_a_point_of_root_loci_is_computed_again_in_the_coordinates_of_its_state() -> None:
+    """A mass on a spring that is drawn level and hangs: its elongation is no coordinate of a state below the pivot."""
+    m = fx.Model(gravity=(0, -9.81))
+    O, B = m.point("O", (0, 0), fixed=True), m.point("B", (1, 0))
+    m.truss("spring", O, B, stiffness=1e3)
+    m.point_mass("ball", B, 1.0)
+    system = m.build()
+    loci = system.root_loci(system.equilibrium(), parameters={"ball.mass": [1.0, 1.0]})
+    again = loci.linearizations.linearization(0)
+    assert np.sort_complex(again.eigenvalues()) == pytest.approx(
+        np.sort_complex(loci.eigenvalues[0]), abs=1e-9
+    )

@@ -1,5 +1,7 @@
 """Events that come and go within one step."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 from scipy.special import ellipk
@@ -242,3 +244,22 @@ def test_an_event_where_the_coordinates_of_the_start_are_singular(beyond: float)
     on = rods.simulate(0.2, start=end, progress=False)[-1]
     there = by_angle.simulate(on.t, rtol=1e-11, progress=False)[-1]
     assert np.allclose(on.position("B"), there.position("B"), rtol=0, atol=1e-5)
+
+
+@pytest.mark.parametrize("method", ["DOP853", "generalized-alpha"])
+def test_a_condition_is_an_event_where_it_begins_or_ceases_to_hold(method: str) -> None:
+    """The pendulum passes its lowest point, and comes back: a condition is no number between zero and one."""
+    m = fx.Model(gravity=(0, -9.81))
+    O, A = m.point("O", (0, 0), fixed=True), m.point("A", (1, 0))
+    m.truss("rod", O, A)
+    m.point_mass("mass", A, 1.0)
+    system = m.build()
+
+    def times(function: Any, direction: int = 0) -> list[float]:
+        found = system.simulate(3.0, events=[fx.Event("left", function, direction=direction)], method=method)
+        return [state.t for _, state in found.events]
+
+    passages = times(lambda state: state["A.x"])
+    assert len(passages) == 3
+    assert times(lambda state: state["A.x"] < 0) == pytest.approx(passages, abs=1e-9)
+    assert times(lambda state: state["A.x"] < 0, 1) == pytest.approx(passages[::2], abs=1e-9)

@@ -193,3 +193,24 @@ def test_a_stiff_motion_with_contacts_is_tried_by_radau() -> None:
     motion = system.simulate(0.02, samples=21)
     assert "Radau, chosen because" in motion.message
     assert np.max(np.abs(motion.v - exact)) < 20e-6 * np.max(np.ptp(exact, axis=0))
+
+
+@pytest.mark.parametrize(("friction", "steps"), [(0.0, 300), (0.5, 800)])
+def test_a_mass_on_a_plane_that_turns_needs_no_shorter_steps(friction: float, steps: int) -> None:
+    """It slides on a turntable at 2 rad/s: the chord of a step leaves the plane, the mass does not."""
+    m = fx.Model(gravity=(0, 0, -G))
+    m.point("axis", (0, 0, 0), fixed=True)
+    m.frame("table")
+    m.hinge("drive", m.frame("ground", fixed=True), "table", axis=(0, 0, 1))
+    m.prescribe("drive.angle", fx.Polynomial([0.0, 2.0]))
+    m.plane("top", "axis", "table", normal=(0, 0, 1))
+    P = m.point("P", (0.5, 0, 0.05 - (0.3 * G / 1e7) ** (2 / 3)))
+    m.point_mass("mass", P, 0.3)
+    m.initial("P.y", rate=0.5)
+    m.contact("touch", P, "top", fx.Contact(1e7, friction=friction, slip_speed=1e-3), radius=0.05)
+    system = m.build()
+    motion = system.simulate(2.0, samples=2, method="generalized-alpha")
+    assert motion.statistics["steps"] < steps and motion.statistics["rejected"] < 20
+    exact = system.simulate(2.0, samples=2, method="DOP853")
+    for name in ("P.x", "P.y"):
+        assert motion[name][-1] == pytest.approx(exact[name][-1], abs=5e-5)

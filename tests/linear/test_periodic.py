@@ -1,5 +1,7 @@
 """Periodic motion: exact solutions, Hill's and Mathieu's equations, nonlinear oscillators, and bad input."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 from mechanisms import oscillator
@@ -279,3 +281,31 @@ def test_an_upright_pendulum_at_the_edge_of_its_stability_has_a_motion_with_a_mu
     np.testing.assert_allclose(
         np.abs(motion.multipliers()), 1.0, atol=1e-5
     )  # a double one: the root of rounding
+
+
+@pytest.mark.parametrize(
+    ("load", "motion", "named"),
+    [
+        (fx.Harmonic(0.1, 0.3), None, "the load on 'B.x'"),
+        (0.0, fx.Harmonic(0.1, 0.3), "the prescribed motion of 'A.x'"),
+    ],
+)
+def test_a_period_that_a_drive_does_not_have_is_refused_by_name(load: Any, motion: Any, named: str) -> None:
+    m = fx.Model()
+    A, B = m.point("A", (0, 0), fixed=motion is None), m.point("B", (1, 0))
+    m.fix("B.y")
+    m.truss("spring", A, B, stiffness=2.0)
+    m.point_mass("mass", B, 1.0)
+    m.load("B.x", load)
+    if motion is not None:
+        m.fix("A.y")
+        m.prescribe("A.x", motion)
+    system = m.build()
+    for wrong in (0.25, 0.2, 0.6):
+        with pytest.raises(LinearizationError, match=f"periodic: {named} does not have the period"):
+            system.periodic(period=2 * np.pi / wrong, harmonics=3)
+    for right in (0.3, 0.15):  # one period, and two
+        found = system.periodic(period=2 * np.pi / right, harmonics=3)
+        assert found["B.x"].max() - 1 == pytest.approx(
+            (1.0 if motion is None else 2.0) * 0.1 / (2.0 - 0.09), rel=0.05
+        )

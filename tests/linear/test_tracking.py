@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+import flexel as fx
 from flexel.base.arrays import Array
 from flexel.examples import bicycle_data as data
 from flexel.linear.mode_tracking import among_lowest, ranks
@@ -82,6 +83,33 @@ def test_boundaries_of_the_bicycle_are_the_published_ones_to_the_last_digits() -
     assert capsize.frequency == 0 and weave.frequency == pytest.approx(3.43503384866144, rel=1e-10)
     assert sorted(len(family) for family in found.families) == [1, 1, 2]
     assert len(set(found.names)) == 3
+
+
+@pytest.mark.parametrize(
+    ("damping", "load", "frequency"), [(0.0, 3.5 - np.sqrt(2), 2**-0.25), (0.01, 41 / 28, None)]
+)
+def test_the_boundary_of_a_column_with_a_follower_load(
+    damping: float, load: float, frequency: float | None
+) -> None:
+    """Ziegler 1952: masses 2 m and m, P l/k = 7/2 - √2 without damping, where two vibrations meet; 41/28 with some."""
+    m = fx.Model()
+    m.point("O", (0, 0), fixed=True)
+    m.angle("ground", fixed=True)
+    for name in "ab":
+        m.angle(name)
+    for x, name in enumerate("AB", 1):
+        m.point(name, (x, 0))
+        m.point_mass(f"mass {name}", name, 3.0 - x)
+    m.hinge("h1", "ground", "a", stiffness=1.0, damping=damping)
+    m.hinge("h2", "a", "b", stiffness=1.0, damping=damping)
+    m.beam("r1", "O", "a", "A", rigid=True)
+    m.beam("r2", "A", "b", "B", rigid=True)
+    m.load("B", (-1.0, 0.0), follower="b")
+    loads = -np.linspace(0.5, 3.0, 26)
+    (only,) = m.build().root_loci(parameters={"load B.value[0]": loads}).branches().boundaries()
+    assert only.value == pytest.approx(-load, rel=1e-9 if not damping else 2e-4)
+    if frequency is not None:
+        assert only.frequency == pytest.approx(frequency, rel=1e-3)
 
 
 def test_eigenvalues_alone_continue_smoothly_with_interpolated_boundaries() -> None:
