@@ -163,7 +163,7 @@ def _followed(system: System, start: State, t: float) -> State:
     PositionError
         If the path does not reach that time.
     """
-    states, message = static_path(system, t, start)
-    if message:
-        raise PositionError(message)
-    return system.equilibrium(states[-1], t=t)  # also warns if it is unstable
+    path = static_path(system, t, start)
+    if path.message:
+        raise PositionError(path.message)
+    return system.equilibrium(path.states[-1], t=t)  # also warns if it is unstable

@@ -124,11 +124,18 @@ def static_path(system: CoreSystem, start: State | None = None, *, t_end: float)
     IncompleteWarning
         If the path cannot be continued: the states so far are returned, and ``message`` says where and why it
         stopped.
+    UnstableWarning
+        If the path becomes unstable where others branch off, as that of a perfect column that buckles. ``verdict`` says
+        how many equilibria are unstable.
     """
-    states, message = load_path.static_path(system, t_end, _at(system, start, "static_path"))
-    if message:
-        warnings.warn(message, IncompleteWarning, stacklevel=outside())
-    found = Integration.of_equilibria(states, message)
+    along = load_path.static_path(system, t_end, _at(system, start, "static_path"))
+    if along.message:
+        warnings.warn(along.message, IncompleteWarning, stacklevel=outside())
+    if along.branches:
+        warnings.warn(f"static_path: {along.branches}", UnstableWarning, stacklevel=outside())
+    unstable = sum(map(bool, along.unstable))
+    verdict = f"{unstable} of {len(along.states)} equilibria are unstable" if unstable else ""
+    found = replace(Integration.of_equilibria(along.states, along.message), verdict=verdict)
     path = found.states
     warn_beyond(system.evaluation, path.times, path.deformations, path.coordinates, "static_path")
     return Motion(system, found)

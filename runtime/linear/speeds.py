@@ -92,6 +92,9 @@ class PeriodicCurve:
         """Return zero: the sign is unknown, as only the solutions of the balance are kept."""
         return 0
 
+    def unstable(self, _: Balanced) -> None:
+        """Return nothing: stability is judged by multipliers."""
+
     def weights(self, equations: Balanced) -> Array:
         """Return the weights of relative changes: the mean square over the degrees of freedom, and the speed."""
         both_halves = np.concatenate([np.ones(self.nd), np.full(2 * self.k * self.nd, 2.0)])

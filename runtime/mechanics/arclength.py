@@ -4,8 +4,9 @@ A curve consists of the solutions of n equations r(u, p) = 0 in n unknowns u and
 length follows the tangent; Newton's method returns to the curve in the plane normal to it.  Newton's method may reach
 another curve, or a distant part of the same one; so a point is rejected if the tangent has turned much, if it is far
 from its guess, or if the way to it is not along the mean tangent.  The sign of det ∂r/∂u times the tangent's parameter
-changes only where curves cross; if it changes in a longer step, a fold was stepped over.  Steps that fail are
-halved.  Sources: Crisfield (1981), Keller (1977).
+changes only where curves cross; if it changes in a longer step, a fold was stepped over.  The number of unstable
+motions changes by one at a fold or a crossing; if it changes by more in a longer step, another curve was reached.
+Steps that fail are halved.  Sources: Crisfield (1981), Keller (1977).
 """
 
 from __future__ import annotations
@@ -56,6 +57,10 @@ class SolutionCurve(Protocol[Equations]):
         """Return the sign of det A; zero if it is not known."""
         ...
 
+    def unstable(self, equations: Equations) -> int | None:
+        """Return the number of motions in which a solution is unstable; None if it is not known."""
+        ...
+
     def weights(self, equations: Equations) -> Array:
         """Return the weights (n + 1,) of the squares of small changes of y in the squared arc length, near a point."""
         ...
@@ -75,6 +80,8 @@ class CurvePoint(Generic[Equations]):
     equations
     tangent : ndarray (n + 1,)
         Of unit arc length; its last entry is the change of the parameter, zero at a fold.
+    unstable : int or None
+        Number of motions in which it is unstable, if that is known.
     iterations : int
         Evaluations that led to it.
     """
@@ -82,6 +89,7 @@ class CurvePoint(Generic[Equations]):
     y: Array
     equations: Equations
     tangent: Array
+    unstable: int | None
     iterations: int = 0
 
 
@@ -108,7 +116,7 @@ def point_at(
     tangent /= np.sqrt(float(weights @ tangent**2))
     if before is not None and (weights * tangent) @ before < 0:
         tangent = -tangent
-    return CurvePoint(y, equations, tangent, iterations)
+    return CurvePoint(y, equations, tangent, curve.unstable(equations), iterations)
 
 
 def corrected(
@@ -177,6 +185,10 @@ def _follows(
     same = np.sign([curve.sign(p.equations) * p.tangent[-1] for p in (known, point)])
     if same[0] * same[1] < 0:
         log.debug("point refused: it is beyond a fold, or curves cross")
+        return False
+    before, now = known.unstable, point.unstable
+    if before is not None and now is not None and abs(now - before) > 1:
+        log.debug("point refused: unstable in %d motions after %d", now, before)
         return False
     turned = cosine(known.tangent, point.tangent)
     along = cosine(known.tangent + point.tangent, point.y - known.y)

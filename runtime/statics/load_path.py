@@ -29,6 +29,39 @@ log = logging.getLogger("flexel.statics")
 ARCS = Arcs(first=0.1, largest=0.5, smallest=1e-7, steps=2000)
 
 
+@dataclass
+class FoundPath:
+    """Equilibria on a path.
+
+    Attributes
+    ----------
+    states : list of State
+    unstable : list of int or None
+        Number of motions in which each is unstable, where that is known.
+    branches : str
+        Where the path becomes unstable because others branch off; empty if it does not.
+    message : str
+        Where and why it stopped; empty if it did not.
+    """
+
+    states: list[State]
+    unstable: list[int | None]
+    branches: str = ""
+    message: str = ""
+
+    def add(self, state: State, last: CurvePoint[Loaded], point: CurvePoint[Loaded]) -> None:
+        """Add an equilibrium, at a point after another one."""
+        self.states.append(state)
+        self.unstable.append(point.unstable)
+        fold = last.tangent[-1] * point.tangent[-1] < 0
+        if not self.branches and (point.unstable or 0) - (last.unstable or 0) > fold:
+            self.branches = (
+                f"at t = {state.t:g} s other paths of equilibria branch off, and beyond, this one is unstable (in "
+                f"{point.unstable} motions); a small imperfection, such as a load or a node that is drawn aside, leads "
+                "to another"
+            )
+
+
 @dataclass(frozen=True)
 class FoundEquilibrium:
     """An equilibrium, and the motions in which it is unstable, with advice; empty if none is known."""
@@ -80,10 +113,10 @@ def _balanced(problem: Rest, t: float, start: State) -> tuple[Equations, Array]:
         if found is not None:
             return found
         log.info("t = %g s: Newton's method does not converge; the unbalance is removed gradually", t)
-        states, message = _follow(problem, start, mu, t, t)
-        if not message:
-            return _again(problem, states[-1])
-        failure: FlexelError = PositionError(f"no equilibrium found{problem.when(t)}: {message}")
+        path = _follow(problem, start, mu, t, t)
+        if not path.message:
+            return _again(problem, path.states[-1])
+        failure: FlexelError = PositionError(f"no equilibrium found{problem.when(t)}: {path.message}")
     except DynamicsError as error:  # the stiffness is singular
         failure = error
     log.info("t = %g s: descends to where forces balance, because %s", t, failure)
@@ -116,7 +149,7 @@ def _held(system: CoreSystem, hold: Sequence[str]) -> Index:
     return np.array(found, dtype=np.intp)
 
 
-def static_path(system: CoreSystem, t_end: float, start: State) -> tuple[list[State], str]:
+def static_path(system: CoreSystem, t_end: float, start: State) -> FoundPath:
     """Follow equilibria from `start` to the time `t_end`, which is the load parameter; see `System.static_path`."""
     problem = Rest(system, start)
     end = number(t_end, "static_path", "t_end")
@@ -125,21 +158,20 @@ def static_path(system: CoreSystem, t_end: float, start: State) -> tuple[list[St
     return _follow(problem, start, problem.multipliers(start), start.t, end)
 
 
-def _follow(problem: Rest, start: State, mu: Array, t0: float, t1: float) -> tuple[list[State], str]:
+def _follow(problem: Rest, start: State, mu: Array, t0: float, t1: float) -> FoundPath:
     """Follow equilibria by arc length while the parameter p goes from 0 to 1.
 
     At p the time is t0 + p (t1 - t0), and the fraction 1 - p of the start's residual remains.
-    Returns the states and, if the end was not reached, a message with the place and the reason.
+    If the end was not reached, there is a message with the place and the reason.
     """
     curve = LoadPath(problem, start, mu, (t0, t1))
-    states = [problem.state(curve.first.rest.balance)]
-    last = 0.0
+    found = FoundPath([problem.state(curve.first.rest.balance)], [curve.unstable(curve.first)])
+    states, passed = found.states, list[CurvePoint[Loaded]]()
 
     def keep(point: CurvePoint[Loaded]) -> None:
-        nonlocal last
-        last = float(point.y[-1])
-        states.append(problem.state(point.equations.rest.balance))
+        found.add(problem.state(point.equations.rest.balance), passed[-1], point)
         problem.leave(states[-1])
+        passed[:] = [point]
 
     level = np.append(np.zeros(curve.start.size), 1.0)
 
@@ -150,21 +182,23 @@ def _follow(problem: Rest, start: State, mu: Array, t0: float, t1: float) -> tup
             return False
         x = np.concatenate([there.y[:nf], start.x[nf:]])
         e = there.equations.rest.balance.e
-        found = Search(problem, t1).found(x, there.y[nf:-1], e)  # with all digits
-        if found is not None:
-            states.append(problem.state(found[0].balance))
-        return found is not None
+        end = Search(problem, t1).found(x, there.y[nf:-1], e)  # with all digits
+        if end is not None:
+            found.add(problem.state(end[0].balance), known, there)
+        return end is not None
 
     try:
-        first = point_at(curve, np.append(curve.start, 0.0), curve.first)
-        arc = follow(curve, first, (-np.inf, 1.0), ARCS, keep, finish)
+        passed.append(point_at(curve, np.append(curve.start, 0.0), curve.first))
+        arc = follow(curve, passed[0], (-np.inf, 1.0), ARCS, keep, finish)
     except TangentError as error:
-        return states, f"the path stopped{problem.when(states[-1].t)} after {len(states)} equilibria: {error}"
-    message = "" if arc is None else _stopped(problem, states, last, arc, t0 != t1)
-    log.info(
-        "path to t = %g s: %d equilibria%s", states[-1].t, len(states), f"; {message}" if message else ""
-    )
-    return states, message
+        found.message = (
+            f"the path stopped{problem.when(states[-1].t)} after {len(states)} equilibria: {error}"
+        )
+        return found
+    found.message = "" if arc is None else _stopped(problem, states, float(passed[0].y[-1]), arc, t0 != t1)
+    told = f"; {found.message}" if found.message else ""
+    log.info("path to t = %g s: %d equilibria%s", states[-1].t, len(states), told)
+    return found
 
 
 @dataclass(frozen=True)
@@ -215,6 +249,10 @@ class LoadPath:
     def sign(self, equations: Loaded) -> int:
         """Return the sign of the determinant of the tangent."""
         return equations.rest.matrix.factors.sign
+
+    def unstable(self, equations: Loaded) -> int | None:
+        """Return the number of motions in which an equilibrium is unstable."""
+        return unstable_motions(self.problem, equations.rest)
 
     def weights(self, _: Loaded) -> Array:
         """Return the weights of the coordinates in natural scales and of the parameter, but not of the multipliers."""

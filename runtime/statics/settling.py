@@ -25,6 +25,7 @@ MAX_SIZE = 1500  # most coordinates and multipliers for which stability is judge
 MAX_DESCENT_SIZE = 600  # the same for a descent, which computes all eigenvectors at every step
 NEUTRAL_TOLERANCE = 1e-11  # eigenvalue, relative to the largest entry of the stiffness, that counts as zero
 SYMMETRY_TOLERANCE = 1e-7  # relative difference below which a tangent counts as symmetric
+SYMMETRY_ROUNDING = 1e-12  # the same relative to its largest entry
 SPRING_STIFFNESS = 100.0  # of springs on the conditions, relative to the largest entry of the stiffness
 MAX_STEPS = 200
 # Stiffness, relative to that at the start of a descent, that indicates a singular element.
@@ -88,8 +89,16 @@ def unstable_motions(problem: Rest, q: Equations) -> int | None:
 
 
 def _has_potential(K: Any) -> bool:
-    """Whether a stiffness is symmetric."""
-    return bool(K.nnz == 0 or abs(K - K.T).max() <= SYMMETRY_TOLERANCE * abs(K).max())
+    """Whether a stiffness is symmetric: each difference is small beside the stiffnesses of its two coordinates.
+
+    The moment on a slender beam is nothing beside its stiffness along its axis.
+    """
+    if K.nnz == 0:
+        return True
+    largest, off = float(abs(K).max()), (K - K.T).tocoo()
+    own = np.sqrt(np.abs(K.diagonal()))
+    allowed = SYMMETRY_TOLERANCE * own[off.row] * own[off.col] + SYMMETRY_ROUNDING * largest
+    return bool(np.all(np.abs(off.data) <= allowed))
 
 
 def _certainly_stable(K: csc_array, D: csc_array) -> bool:

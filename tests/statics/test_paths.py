@@ -54,8 +54,46 @@ def test_a_path_passes_every_fold_in_long_steps_as_in_short_ones(
 @COARSE_MESH
 @pytest.mark.long
 def test_a_symmetric_arch_stays_symmetric_where_curves_cross() -> None:
-    path = arch(0.1, 300.0, 0.0).static_path(t_end=660.0)
-    assert path.message == ""
+    with pytest.warns(fx.UnstableWarning, match="other paths of equilibria branch off"):
+        path = arch(0.1, 300.0, 0.0).static_path(t_end=660.0)
+    with pytest.warns(fx.UnstableWarning, match="other paths of equilibria branch off"):
+        skew = arch(0.1, 300.0, 1e-9).static_path(t_end=660.0)
+    assert path.message == "" and path.verdict.endswith("equilibria are unstable")
     np.testing.assert_allclose(path["p4.y"], path["p12.y"], atol=1e-9)
-    skew = arch(0.1, 300.0, 1e-9).static_path(t_end=660.0)
     assert skew["p8.y"][-1] == pytest.approx(path["p8.y"][-1], rel=1e-6)  # with the same end, by another way
+
+
+def curved_beam(imperfection: float) -> tuple[fx.System, float]:
+    """A clamped cosine beam ten times as high as thick, its middle pushed down and kept level; and E I h/L³ [N]."""
+    L, width, thick, high, E, n = 0.1, 5e-3, 0.5e-3, 5e-3, 2e9, 32
+    inertia = width * thick**3 / 12
+    m = fx.Model()
+    for i in range(n + 1):
+        u = i / n
+        y = high / 2 * (1 + np.cos(2 * np.pi * (u - 0.5))) + imperfection * (1 - np.cos(4 * np.pi * u))
+        m.point(f"P{i}", (L * u, y))
+        m.angle(f"R{i}")
+    for i in range(n):
+        ends = f"P{i}", f"R{i}", f"P{i + 1}", f"R{i + 1}"
+        m.beam(f"b{i}", *ends, EA=E * width * thick, EIz=E * inertia, mass_per_length=3e-3)
+    m.fix("P0", "R0", f"P{n}", f"R{n}", f"R{n // 2}", f"P{n // 2}.x")
+    m.prescribe(f"P{n // 2}.y", lambda t: high - 1.98 * high * t)
+    return m.build(), E * inertia * high / L**3
+
+
+@pytest.mark.parametrize("end", [0.1, 0.2, 0.3, 0.5, 1.0])
+def test_a_path_keeps_to_its_branch_wherever_it_ends(end: float) -> None:
+    """Qiu, Lang and Slocum 2004: the largest force is about 740 E I h/L³; it was 721, 946, 722, 947 and 3882."""
+    system, unit = curved_beam(1e-6)
+    path = system.static_path(t_end=end)
+    assert -path.force("P16.y").min() / unit == pytest.approx(721.5, abs=0.5)
+    assert path.verdict == path.message == ""
+
+
+def test_a_perfect_beam_is_said_to_become_unstable() -> None:
+    system, _ = curved_beam(0.0)
+    with pytest.warns(
+        fx.UnstableWarning, match=r"at t = 0\.07[78]\d* s other paths of equilibria branch off.*imperfection"
+    ):
+        path = system.static_path(t_end=0.1)
+    assert "equilibria are unstable" in path.verdict
