@@ -31,7 +31,10 @@ class Point(Part[Node]):
         """Add the node."""
         x0 = array(self.position, self.owner, "position")
         planar = x0.shape == (2,)
-        x0 = vector(x0, self.owner, "position", 2 if planar else 3)
+        if x0.shape not in {(2,), (3,)}:
+            raise ModelError(
+                f"{self.owner}: position {x0.tolist()} has shape {x0.shape}; give 2 or 3 numbers"
+            )
         return to.node(self.name, "planar_point" if planar else "point", x0, self.fixed)
 
 

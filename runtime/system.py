@@ -310,7 +310,9 @@ class CoreSystem:
         Parameters
         ----------
         values : mapping of name to value
-            Values of degrees of freedom (dynamic or kinematic) and of laws' internal states.
+            Values of degrees of freedom (dynamic or kinematic) and of laws' internal states; and of any other quantity,
+            which then takes the place of the degree of freedom with which it moves most.  The other degrees of freedom
+            keep their values.
         rates : mapping of name to rate
             Rates of any quantities; they must be consistent.
         t : float, optional
@@ -320,9 +322,10 @@ class CoreSystem:
         Raises
         ------
         ModelError, PositionError
-            A name that is not a degree of freedom; an unreachable position; inconsistent rates, by name.
+            A quantity that is fixed, or determined by the others; an unreachable position; inconsistent rates, by name.
         """
-        return states.state_at(self.kinematics, values, rates, t, self.initial if start is None else start)
+        begin = self.initial if start is None else start
+        return states.state_at(self.kinematics, self.kinematics_with, values, rates, t, begin)
 
     @in_one_thread
     def use_coordinates(self, dynamic: Sequence[str], kinematic: Sequence[str] | None = None) -> None:

@@ -13,9 +13,10 @@ import numpy as np
 from flexel.base.arguments import number, numbers
 from flexel.base.arrays import Array
 from flexel.base.callers import outside
-from flexel.base.errors import ModelError, ModelWarning
+from flexel.base.errors import ModelWarning
 from flexel.engine.coordinate_work import CoordinateWork
 from flexel.mechanics import dynamics
+from flexel.mechanics.exchange import Exchange, exchanged
 from flexel.mechanics.kinematics import Kinematics
 from flexel.mechanics.start_rates import consistent_rates
 from flexel.mechanics.suspects import in_degrees
@@ -94,6 +95,7 @@ def state_of(
 
 def state_at(
     kinematics: Kinematics,
+    exchange: Exchange,
     values: Mapping[str, float] | None,
     rates: Mapping[str, float] | None,
     t: float | None,
@@ -103,8 +105,10 @@ def state_at(
 
     Parameters
     ----------
+    exchange : callable
+        Returns the kinematics with other degrees of freedom.
     values, rates : mapping of name to number
-        Values of degrees of freedom and internal states; rates of any quantities.
+        Values and rates of any quantities, and values of internal states.
     t : float, optional
         Time [s]; that of `start` by default.
     start : State
@@ -114,24 +118,33 @@ def state_at(
     own_state(structure, start, "state_at")
     wanted = numbers(values, "state_at", "value")
     time = start.t if t is None else number(t, "state_at", "time t")
-    q, z = np.array(start.values[roles.dofs]), start.z.copy()
+    z, named = start.z.copy(), {}
     for name, value in wanted.items():
         if name in structure.internal:
             z[structure.internal[name]] = value
-            continue
-        i = structure.find(name, "state_at")
-        if i not in roles.dofs:
-            others = kinematics.names(roles.dofs) or "nothing: all motion is prescribed, or held"
-            raise ModelError(f"'{name}' is not a degree of freedom; values can be given to {others}")
-        q[list(roles.dofs).index(i)] = value
-        if text := in_degrees(name, structure.units[i], value):
-            warnings.warn(f"state_at: {text}", ModelWarning, stacklevel=outside())
-    here = Snapshot.of(start)
-    guess = travelled(kinematics, here, time, q) or here.still(
-        time
-    )  # Newton's method names the unreached values
+        else:
+            named[name] = value
+            if text := in_degrees(name, structure.units[structure.find(name, "state_at")], value):
+                warnings.warn(f"state_at: {text}", ModelWarning, stacklevel=outside())
+    other = exchanged(kinematics, exchange, start, list(named))
+    own = dict(zip(other.roles.dofs.tolist(), start.values[other.roles.dofs].tolist(), strict=True))
+    own |= {structure.find(name): value for name, value in named.items()}
+    guess = _placed(other, start, time, np.array(list(own.values())))
+    q = kinematics.values(guess.e, guess.x)[roles.dofs]
+    q = np.array([own.get(row, value) for row, value in zip(roles.dofs.tolist(), q.tolist(), strict=True)])
     qd: Rates = start.qd if rates is None else lambda choice: consistent_rates(kinematics, choice, rates)
     return state_of(kinematics, time, q, qd, z, guess)
+
+
+def _placed(kinematics: Kinematics, start: State, t: float, q: Array) -> Snapshot:
+    """Return the position at a time [s] near a start for degrees of freedom q (nq,), at rest."""
+    here = Snapshot.of(start)
+    found = travelled(kinematics, here, t, q)
+    if found is not None:
+        return found
+    still = np.zeros(kinematics.roles.nd)
+    x, v, e = located(kinematics, t, q, still, here.still(t))  # names the unreached values
+    return Snapshot(t, x, np.zeros_like(v), e, np.zeros_like(e))
 
 
 def moving(kinematics: Kinematics, start: State, rates: Sequence[Mapping[str, float]]) -> list[Snapshot]:

@@ -13,6 +13,7 @@ from flexel.base.errors import ModelError
 from flexel.base.shown import PrintedTable, listed, prints
 from flexel.base.units import rate_unit
 from flexel.model.constraints import ConstraintReport, constraint_report
+from flexel.model.handle import Handle, name_of
 from flexel.model.instances import Instance
 from flexel.model.profiles import SectionForces
 from flexel.model.role_lists import Roles
@@ -179,13 +180,13 @@ class State:
         first = self.structure.m + self.structure.k
         return float(self.stresses[i] if i < first else self.reactions[i - first])
 
-    def position(self, node: str) -> Array:
-        """Return the coordinates of a node, as many as its kind has."""
-        return np.asarray(self.x[self.structure.places(node)])
+    def position(self, node: str | Handle) -> Array:
+        """Return the coordinates of a node, given by its name or itself, as many as its kind has."""
+        return np.asarray(self.x[self.structure.places(name_of(node))])
 
-    def velocity(self, node: str) -> Array:
+    def velocity(self, node: str | Handle) -> Array:
         """Return the rates of a node's coordinates."""
-        return np.asarray(self.v[self.structure.places(node)])
+        return np.asarray(self.v[self.structure.places(name_of(node))])
 
     def outputs(self, element: str) -> dict[str, Array]:
         """Return what an element reports in addition to its deformations: arrays by name, shaped as in its definition.

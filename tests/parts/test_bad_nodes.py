@@ -12,7 +12,7 @@ NODES = {
     "gravity as one number": Case(lambda: Model(gravity=9.81), ("gravity", "not a vector", "(0, -9.81)")),
     "gravity None": Case(lambda: Model(gravity=None), ("gravity", "give real numbers")),
     "gravity NaN": Case(lambda: Model(gravity=(0, 0, math.nan)), ("gravity", "give finite numbers")),
-    "point of four": draw(lambda m: m.point("P", (1, 2, 3, 4)), "point 'P'", "give 3 numbers"),
+    "point of four": draw(lambda m: m.point("P", (1, 2, 3, 4)), "point 'P'", "give 2 or 3 numbers"),
     "point as text": draw(lambda m: m.point("P", "abc"), "point 'P'", "give real numbers"),
     "point None": draw(lambda m: m.point("P", None), "point 'P'", "give real numbers"),
     "point of texts": draw(lambda m: m.point("P", ("1", "2", "3")), "point 'P'", "give real numbers"),
