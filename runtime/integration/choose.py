@@ -86,6 +86,8 @@ def automatic(
     prepared : callable(options, kind) -> MinimalRun
         Prepares the motion by a method; it is tried, and goes on if that method is chosen.
     """
+    if not duration:
+        return Chosen(EXPLICIT, "nothing to integrate: only the start is stored", options)
     if system.roles.actuated and system.roles.nq:
         return Chosen(EXPLICIT, f"{EXPLICIT}, chosen because actuators hold a path", options)
     if system.roles.nq == 0:

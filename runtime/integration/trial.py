@@ -67,6 +67,8 @@ class Trial:
 
     def evaluations(self, more: float = 0.0) -> float:
         """Estimate the evaluations of the whole motion, each step of which costs `more` than it evaluates."""
+        if self.ended:
+            return self.count + self.taken * more
         last = self._last
         each = (self.count - self._counts[-1 - last]) / last
         return self.count + self._left * each + self.steps * more

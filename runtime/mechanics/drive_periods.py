@@ -2,19 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 
+from flexel.base.arrays import Array
 from flexel.base.errors import LinearizationError, ModelError
 from flexel.base.time_functions import TimeFunction, value_of
 from flexel.mechanics.kinematics import Kinematics
 
-COMPARED_AT = (
-    np.arange(16) + 0.43
-) / 16  # of the period, at which they are compared: between steps and kinks
-TINIEST = 1e-300  # value that is not divided by
+PLACES_IN_PERIOD = (np.arange(16) + 0.43) / 16  # at which drives are compared: between steps and kinks
 OFF = 1e-6  # change within a period, relative to the largest value, that is none
+UNSEEN = 1e-9  # of the largest load: what is smaller may be the rounding of a formula
 
 
 def check_drives(kinematics: Kinematics, begin: float, period: float) -> None:
@@ -29,29 +29,42 @@ def check_drives(kinematics: Kinematics, begin: float, period: float) -> None:
         Names the first that differs.
     """
     structure, roles, loads = kinematics.structure, kinematics.roles, kinematics.loads
-    names = structure.names
-    for i, load in zip(loads.quantities, loads.functions, strict=True):
-        _check(f"the load on '{names[i]}'", load, lambda f, t: [value_of(f, t)], begin, period)
+    times = begin + PLACES_IN_PERIOD * period
+    forces = [_values(partial(value_of, f), times, period) for f in loads.functions]
+    least = UNSEEN * max((_largest(now) for now, _ in forces), default=0.0)
+    for i, (now, later) in zip(loads.quantities, forces, strict=True):
+        _check(f"the load on '{structure.names[i]}'", now, later, least, period)
     for i, motion in zip(roles.prescribed, roles.motions, strict=True):
-        _check(f"the prescribed motion of '{names[i]}'", motion, lambda f, t: f.rates(t)[1:], begin, period)
+        owner, least = f"the prescribed motion of '{structure.names[i]}'", 0.0
+        for order in (1, 2):
+            now, later = _values(partial(_rate, motion, order), times, period)
+            _check(owner, now, later, least, period)
+            least = (
+                2 * np.pi / period * _largest(now)
+            )  # an acceleration is compared with what the rate asks for
 
 
-def _check(
-    owner: str,
-    function: TimeFunction,
-    values: Callable[[TimeFunction, float], Sequence[float]],
-    begin: float,
-    period: float,
-) -> None:
-    times = begin + COMPARED_AT * period
-    now = np.array([values(function, t) for t in times.tolist()])
+def _values(function: Callable[[float], float], times: Array, period: float) -> tuple[Array, Array]:
+    """Return the values of a function at times [s], and a period later; the same ones where it is not defined there."""
+    now = np.array([function(t) for t in times.tolist()])
     try:
-        later = np.array([values(function, t) for t in (times + period).tolist()])
+        return now, np.array([function(t) for t in (times + period).tolist()])
     except ModelError:  # a table ends before
-        return
-    change = float(np.max(np.abs(later - now).max(axis=0) / np.maximum(np.abs(now).max(axis=0), TINIEST)))
-    if change > OFF:
+        return now, now
+
+
+def _rate(motion: TimeFunction, order: int, t: float) -> float:
+    return motion.rates(t)[order]
+
+
+def _check(owner: str, now: Array, later: Array, least: float, period: float) -> None:
+    size, off = max(_largest(now), _largest(later), least), _largest(later - now)
+    if off > OFF * size:
         raise LinearizationError(
-            f"periodic: {owner} does not have the period {period:g} s: one period later it differs by {change:.2g} "
+            f"periodic: {owner} does not have the period {period:g} s: one period later it differs by {off / size:.2g} "
             "of its largest value; give a period that all loads and prescribed motions have"
         )
+
+
+def _largest(values: Array) -> float:
+    return float(np.abs(values).max(initial=0.0))

@@ -80,7 +80,8 @@ class Afterwards:
         """
         kinematics, state = self._kinematics, now.state
         roles, fastest = kinematics.roles, self._fastest(state)
-        if not fastest or state.Phi_v[roles.prescribed].any():  # how these go on is not known
+        # how accelerated motions go on is not known, and without degrees of freedom all is prescribed
+        if not fastest or not roles.nd or state.Phi_v[roles.prescribed].any():
             return 0.0
         time = min(_period(found[0]) or UNIT_S, 1 / fastest)
         H, scales = now.transfer.H[:, : roles.nd], kinematics.scales(roles.dynamic)

@@ -15,7 +15,7 @@ import numpy as np
 from flexel.base.arguments import names, number
 from flexel.base.arrays import Array, Index
 from flexel.base.errors import DynamicsError, FlexelError, ModelError, PositionError
-from flexel.base.shown import quoted
+from flexel.base.shown import counted, quoted
 from flexel.engine.finite import TangentError
 from flexel.mechanics.arclength import Arcs, CurvePoint, corrected, follow, point_at
 from flexel.model.state import State
@@ -57,8 +57,8 @@ class FoundPath:
         if not self.branches and (point.unstable or 0) - (last.unstable or 0) > fold:
             self.branches = (
                 f"at t = {state.t:g} s other paths of equilibria branch off, and beyond, this one is unstable (in "
-                f"{point.unstable} motions); a small imperfection, such as a load or a node that is drawn aside, leads "
-                "to another"
+                f"{counted(point.unstable or 0, 'motion')}); a small imperfection, such as a load or a node that is "
+                "drawn aside, leads to another"
             )
 
 

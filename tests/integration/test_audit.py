@@ -1,6 +1,7 @@
 """Every motion is audited: its energy balance, events, contacts, prescribed rates, and the energies of its laws."""
 
 import re
+import warnings
 from functools import partial
 from pathlib import Path
 
@@ -416,3 +417,22 @@ def test_the_energies_of_a_variant_are_those_of_a_model_with_its_values(mass: fl
     total = found.motion(0).energy["total"]
     assert not found.failed
     assert np.ptp(total) < 1e-6 * total[0]
+
+
+def test_a_wheel_that_falls_flat_is_named() -> None:
+    """A hoop that is tipped over sideways: beyond, its hub would go through the road; upright it rolls on."""
+    m = fx.Model(gravity=(0, 0, -9.81))
+    hub, contact, frame = m.point("hub", (0, 0, 0.2)), m.point("contact", (0, 0, 0)), m.frame("rim")
+    m.wheel("hoop", hub, frame, contact, radius=0.2, axle=(0, 1, 0))
+    m.body("mass", hub, frame, mass=1.0, inertia=(0.02, 0.04, 0.02))
+    rates = m.angular_velocity(frame)
+    m.initial(f"{rates}.wx", rate=2.0)
+    system = m.build()
+    with pytest.warns(
+        fx.AuditWarning, match=r"wheel 'hoop' has fallen flat: at t = 0\.[3-6]\d* s its hub is below"
+    ):
+        motion = system.simulate(0.7)
+    assert motion["hub.z"].min() < -0.1
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        system.simulate(0.2)

@@ -226,3 +226,18 @@ def test_ctrl_c_keeps_a_motion_that_is_tried(monkeypatch: pytest.MonkeyPatch) ->
         masses(1e8).simulate(4.0)
     motion = caught.value.motion
     assert motion.message.startswith("interrupted at t = ") and 0 < motion.t[-1] < 4.0
+
+
+def test_the_start_alone_is_a_motion_of_a_large_model_too() -> None:
+    """With more than 300 degrees of freedom the trials of the methods decide: there is nothing to try."""
+    m = fx.Model(gravity=(0, -9.81))
+    last = m.point("O", (0, 0), fixed=True)
+    for i in range(160):
+        point = m.point(f"P{i}", (0.01 * (i + 1), 0))
+        m.truss(f"rod{i}", last, point, stiffness=1e3)
+        m.point_mass(f"mass{i}", point, 0.01)
+        last = point
+    system = m.build()
+    assert len(system.dynamic) == 320
+    motion = system.simulate(1.0, times=[0.0])
+    assert len(motion) == 1 and "only the start is stored" in motion.message

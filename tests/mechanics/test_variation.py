@@ -154,3 +154,13 @@ def test_what_floats_through_space_is_steady() -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         system.linearize(system.state_at(rates=flying)).eigenvalues()
+
+
+def test_what_is_prescribed_altogether_has_no_eigenvalues() -> None:
+    m = fx.Model()
+    A = m.point("A", (1, 0))
+    m.fix("A.y")
+    m.point_mass("mass", A, 1.0)
+    m.prescribe("A.x", fx.Polynomial([1.0, 2.0]))
+    lin = m.build().linearize()
+    assert not lin.eigenvalues().size and not lin.modes() and lin.variation() == 0.0
