@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from flexel.base.arrays import Index
+from flexel.base.arrays import Array, Index
 from flexel.base.errors import ModelError
 from flexel.mechanics.kinematics import Kinematics
 from flexel.model.state import State
@@ -32,9 +32,14 @@ def exchanged(kinematics: Kinematics, exchange: Exchange, start: State, names: S
         return kinematics
     dynamic = roles.dynamic.copy()
     choice = kinematics.locate(start.t, start.values[roles.dofs], start.x, start.e)
-    kinematics.velocity(choice, np.zeros(roles.nd))
-    scales = kinematics.scales(np.array(others))[:, None]
-    rates = choice.unit_rates(np.array(others)) * kinematics.scales(dynamic) / scales
+
+    def rates_of(qd: Array) -> Array:
+        v = kinematics.velocity(choice, qd)
+        return np.concatenate([choice.work.jvp(v), v])[others]
+
+    still = rates_of(np.zeros(roles.nd))  # prescribed motions go on
+    rates = np.array([rates_of(qd) - still for qd in np.diag(kinematics.scales(dynamic))]).T
+    rates /= kinematics.scales(np.array(others))[:, None]
     free = np.array([row not in rows for row in dynamic], dtype=bool)
     for k, row in enumerate(others):
         moved = np.where(free, np.abs(rates[k]), 0.0)
