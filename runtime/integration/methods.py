@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from flexel.base.arguments import number, step_limit, vector
+from flexel.base.arguments import step_limit, vector
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
 from flexel.integration.alpha import AlphaStepper
@@ -96,10 +96,6 @@ def check(method: Any, options: Options) -> None:
                 f"simulate: {name} is not an option of method '{method}'; choose a method that has it: "
                 f"{', '.join(having)}"
             )
-    if options.rtol is not None and number(options.rtol, "simulate", "rtol") >= 1:
-        raise ModelError(
-            f"simulate: rtol {options.rtol:g} is no tolerance; give a number below 1, such as 1e-6"
-        )
     beside = [name for name in given if name in WITH_STEPS]
     if options.step is not None and beside:
         raise ModelError(

@@ -38,13 +38,14 @@ def exchanged(kinematics: Kinematics, exchange: Exchange, start: State, names: S
         return np.concatenate([choice.work.jvp(v), v])[others]
 
     still = rates_of(np.zeros(roles.nd))  # prescribed motions go on
-    rates = np.array([rates_of(qd) - still for qd in np.diag(kinematics.scales(dynamic))]).T
+    moved = [rates_of(qd) - still for qd in np.diag(kinematics.scales(dynamic))]
+    rates = np.reshape(moved, (roles.nd, len(others))).T.copy()
     rates /= kinematics.scales(np.array(others))[:, None]
     free = np.array([row not in rows for row in dynamic], dtype=bool)
     for k, row in enumerate(others):
-        moved = np.where(free, np.abs(rates[k]), 0.0)
-        j = int(np.argmax(moved)) if moved.size else 0
-        if not moved.size or moved[j] < LOST:
+        sizes = np.where(free, np.abs(rates[k]), 0.0)
+        j = int(np.argmax(sizes)) if sizes.size else 0
+        if not sizes.size or sizes[j] < LOST:
             present = kinematics.names(roles.dofs) or "nothing: all motion is prescribed, or held"
             raise ModelError(
                 f"'{structure.names[row]}' is not a degree of freedom, and does not move at this start while the other "

@@ -126,12 +126,15 @@ def state_at(
             named[name] = value
             if text := in_degrees(name, structure.units[structure.find(name, "state_at")], value):
                 warnings.warn(f"state_at: {text}", ModelWarning, stacklevel=outside())
-    other = exchanged(kinematics, exchange, start, list(named))
-    own = dict(zip(other.roles.dofs.tolist(), start.values[other.roles.dofs].tolist(), strict=True))
-    own |= {structure.find(name): value for name, value in named.items()}
-    guess = _placed(other, start, time, np.array(list(own.values())))
-    q = kinematics.values(guess.e, guess.x)[roles.dofs]
-    q = np.array([own.get(row, value) for row, value in zip(roles.dofs.tolist(), q.tolist(), strict=True)])
+    other = exchanged(kinematics, exchange, start, list(named)) if named else kinematics
+    q, rows = np.array(start.values[other.roles.dofs]), other.roles.dofs.tolist()
+    for name, value in named.items():
+        q[rows.index(structure.find(name))] = value
+    guess = _placed(other, start, time, q)
+    if other is not kinematics:
+        found = kinematics.values(guess.e, guess.x)
+        found[other.roles.dofs] = q  # to the last digit
+        q = found[roles.dofs]
     qd: Rates = start.qd if rates is None else lambda choice: consistent_rates(kinematics, choice, rates)
     return state_of(kinematics, time, q, qd, z, guess)
 

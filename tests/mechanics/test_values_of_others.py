@@ -104,3 +104,15 @@ def test_a_value_of_a_large_model() -> None:
     assert state["P40.x"] == pytest.approx(before["P40.x"] - 1e-4, abs=1e-12)
     moved = [name for name in system.dynamic if abs(state[name] - before[name]) > 1e-12]
     assert len(moved) == 1
+
+
+def test_nothing_moves_where_all_is_prescribed() -> None:
+    m = fx.Model()
+    A = m.point("A", (1, 0))
+    m.fix("A.y")
+    m.point_mass("mass", A, 1.0)
+    m.prescribe("A.x", 1.0)
+    with pytest.raises(
+        fx.ModelError, match="'A.x' is not .* values can be given to nothing: all motion is prescribed"
+    ):
+        m.build().state_at({"A.x": 2.0})
