@@ -6,9 +6,11 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from flexel.base.arrays import Array, Index
+from flexel.base.arrays import Index
 from flexel.base.errors import ModelError
 from flexel.mechanics.kinematics import Kinematics
+from flexel.mechanics.travel import motions
+from flexel.model.snapshot import Snapshot
 from flexel.model.state import State
 
 Exchange = Callable[[Index, Index], Kinematics]  # for dynamic and kinematic degrees of freedom
@@ -30,18 +32,10 @@ def exchanged(kinematics: Kinematics, exchange: Exchange, start: State, names: S
     others = [row for row in rows if row not in roles.dofs]
     if not others:
         return kinematics
-    dynamic = roles.dynamic.copy()
-    choice = kinematics.locate(start.t, start.values[roles.dofs], start.x, start.e)
-
-    def rates_of(qd: Array) -> Array:
-        v = kinematics.velocity(choice, qd)
-        return np.concatenate([choice.work.jvp(v), v])[others]
-
-    still = rates_of(np.zeros(roles.nd))  # prescribed motions go on
-    moved = [rates_of(qd) - still for qd in np.diag(kinematics.scales(dynamic))]
-    rates = np.reshape(moved, (roles.nd, len(others))).T.copy()
-    rates /= kinematics.scales(np.array(others))[:, None]
-    free = np.array([row not in rows for row in dynamic], dtype=bool)
+    dofs = roles.dofs.copy()
+    moved = motions(kinematics, Snapshot.of(start))[:, others]
+    rates = moved.T / kinematics.scales(np.array(others))[:, None]
+    free = np.array([row not in rows for row in dofs], dtype=bool)
     for k, row in enumerate(others):
         sizes = np.where(free, np.abs(rates[k]), 0.0)
         j = int(np.argmax(sizes)) if sizes.size else 0
@@ -52,5 +46,5 @@ def exchanged(kinematics: Kinematics, exchange: Exchange, start: State, names: S
                 f"named values stay; values can be given to {present}"
             )
         rates -= np.outer(rates[:, j] / rates[k, j], rates[k]) * (np.arange(len(others)) > k)[:, None]
-        dynamic[j], free[j] = row, False
-    return exchange(dynamic, roles.kinematic)
+        dofs[j], free[j] = row, False
+    return exchange(dofs[: roles.nd], dofs[roles.nd :])

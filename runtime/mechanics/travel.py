@@ -79,3 +79,21 @@ def _rates(kinematics: Kinematics, here: Snapshot, change: Array) -> Array:
     whole = np.zeros(here.x.size)
     whole[: change.size] = change
     return kinematics.choice.work.jvp(whole)[: here.e.size]
+
+
+def motions(kinematics: Kinematics, here: Snapshot) -> Array:
+    """Return the motions (nq, m + k + n) of all quantities if each degree of freedom changes by its natural scale.
+
+    Slips have no values, and none.
+    """
+    dofs, structure = kinematics.roles.dofs, kinematics.structure
+    begin, found = (
+        kinematics.values(here.e, here.x)[dofs],
+        np.zeros((dofs.size, here.x.size + structure.m + structure.k)),
+    )
+    still = _tangent(kinematics, here, here.t, begin)
+    for row, step in zip(found, np.diag(kinematics.scales(dofs)), strict=True):
+        change = _tangent(kinematics, here, here.t, begin + step) - still
+        row[: here.e.size] = _rates(kinematics, here, change)
+        row[structure.m + structure.k :][: change.size] = change
+    return found

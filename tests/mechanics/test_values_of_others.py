@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import flexel as fx
+from flexel.examples.bicycle import bicycle
 
 
 def rods() -> fx.System:
@@ -116,3 +117,13 @@ def test_nothing_moves_where_all_is_prescribed() -> None:
         fx.ModelError, match="'A.x' is not .* values can be given to nothing: all motion is prescribed"
     ):
         m.build().state_at({"A.x": 2.0})
+
+
+def test_a_bicycle_is_placed_by_its_hub_and_not_by_slips() -> None:
+    """The place of the contact, a kinematic coordinate, gives way; slips have no values."""
+    b = bicycle()
+    state = b.state_at({"rear hub.x": 0.05, "lean.angle": 0.1})
+    assert [state["rear hub.x"], state["lean.angle"]] == pytest.approx([0.05, 0.1], rel=1e-14)
+    assert state["steer.angle"] == pytest.approx(0, abs=1e-15) and abs(state["rear contact.x"]) > 0.01
+    with pytest.raises(fx.ModelError, match="'rear.spin' is not a degree of freedom"):
+        b.state_at({"rear.spin": 0.1})
