@@ -15,16 +15,16 @@ from scipy.optimize import brentq
 from flexel.base.arguments import number, positive, unknown
 from flexel.base.errors import ModelError
 
+SMALLEST_RESTITUTION = 1e-3  # the dissipation is then a thousand over the speed
 # Hunt and Crossley 1975, J. Appl. Mech. 42:440; Lankarani and Nikravesh 1990, J. Mech. Des. 112:369
-SMALLEST_RESTITUTION = 1e-3  # restitution, of which the dissipation is a thousand over the speed
 LAWS = ("exact", "hunt-crossley", "lankarani-nikravesh")
 
 
 def dissipation(restitution: float, speed: float, law: str) -> float:
     """Return the dissipation factor c [s/m] for the restitution e at the speed of approach v [m/s].
 
-    That of the impact itself, or 3 (1 - e)/(2 v) after Hunt and Crossley, or 3 (1 - e²)/(4 v) after Lankarani and
-    Nikravesh.
+    By default the one with which the impact has this restitution; else 3 (1 - e)/(2 v) after Hunt and Crossley, or
+    3 (1 - e²)/(4 v) after Lankarani and Nikravesh.
     """
     owner = "contact"
     if not isinstance(law, str) or law not in LAWS:

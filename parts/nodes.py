@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from flexel.base.arguments import array, vector
-from flexel.base.arrays import Vector
+from flexel.base.arrays import Array, Vector
 from flexel.base.errors import ModelError
 from flexel.base.meaning import array_quantity, entry, quantity
 from flexel.model.lowering import Lowering
@@ -29,13 +31,16 @@ class Point(Part[Node]):
 
     def lower(self, to: Lowering) -> Node:
         """Add the node."""
-        x0 = array(self.position, self.owner, "position")
-        planar = x0.shape == (2,)
-        if x0.shape not in {(2,), (3,)}:
-            raise ModelError(
-                f"{self.owner}: position {x0.tolist()} has shape {x0.shape}; give 2 or 3 numbers"
-            )
-        return to.node(self.name, "planar_point" if planar else "point", x0, self.fixed)
+        x0 = drawn(self.position, self.owner)
+        return to.node(self.name, "planar_point" if x0.size == 2 else "point", x0, self.fixed)
+
+
+def drawn(position: Any, owner: str) -> Array:
+    """Return a position in a plane or in space, or raise a ModelError."""
+    x0 = array(position, owner, "position")
+    if x0.shape not in {(2,), (3,)}:
+        raise ModelError(f"{owner}: position {x0.tolist()} has shape {x0.shape}; give 2 or 3 numbers")
+    return x0
 
 
 @part

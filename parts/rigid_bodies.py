@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from flexel.base.arguments import array, flag, mapping, new_name, unknown, vector
+from flexel.base.arguments import flag, mapping, new_name, unknown, vector
 from flexel.base.arrays import Array, Vector
 from flexel.base.errors import ModelError
 from flexel.base.meaning import array_quantity, entry, quantity
@@ -19,7 +19,7 @@ from flexel.model.part import Part, part
 from flexel.model.rigid_body import RigidBody
 from flexel.parts.bodies import Body
 from flexel.parts.joints import BodyPoint
-from flexel.parts.nodes import Angle, Frame, Point
+from flexel.parts.nodes import Angle, Frame, Point, drawn
 
 GROUND = "ground"
 NEAR = 1e-12  # points closer than this, relative to their distance from the origin, are one
@@ -103,9 +103,8 @@ class RigidBodyPart(Part[RigidBody]):
 
 def _nodes(to: Lowering, body: RigidBodyPart) -> tuple[Node, Node]:
     """Add the mass centre and the orientation of a body."""
-    x0 = array(body.position, body.owner, "position")
-    planar = x0.shape == (2,)
-    x0 = vector(x0, body.owner, "position", 2 if planar else 3)
+    x0 = drawn(body.position, body.owner)
+    planar = x0.size == 2
     held = flag(body.fixed, body.owner, "fixed")
     point = Point(body.name, x0, held).lower(to)
     turned, given = f"{body.name}_frame", body.orientation

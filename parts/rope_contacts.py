@@ -96,7 +96,7 @@ class Contact:
         stiffness : float
             As for the class.
         restitution : float
-            Speed of departure over speed of approach, above 0 and at most 1.
+            Speed of departure over speed of approach, 0.001 to 1; from 0 with the approximations below.
         speed : float
             Speed of approach at which this holds [m/s].
         law : "exact", "hunt-crossley" or "lankarani-nikravesh"

@@ -92,7 +92,8 @@ def _speed(system: CoreSystem) -> list[tuple[str, str]]:
             f"{EXPLICIT} up to {longest:.3g} s, {RADAU if smooth(system) else ALPHA} for longer motions{word}"
         )
     change = _variation(system, start) if system.roles.motions else 0.0
-    varying = f"vary with time, by {change:.2g} of the largest: use periodic(…).multipliers() or along(…)"
+    share = f"{change:.2g} of what holds a vibration"
+    varying = f"vary with time, by up to {share}: use periodic(…).multipliers() or along(…)"
     return [
         *uneven,
         ("eigenvalues", f"{slowest:.3g} to {fastest:.3g} 1/s in magnitude at the start"),

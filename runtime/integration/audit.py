@@ -11,7 +11,6 @@ from flexel.integration.law_energies import wrong_energies
 from flexel.integration.outcome import Integration, States
 from flexel.integration.passed import warning
 from flexel.integration.rope_ends import at_their_ends
-from flexel.integration.wheels_flat import fallen
 from flexel.integration.wheels_pressed import pulling
 from flexel.mechanics.internal_dynamics import growth
 from flexel.system import CoreSystem
@@ -23,8 +22,8 @@ def audited(system: CoreSystem, run: Run, found: Integration) -> Integration:
     """Add the verdict to the result; warnings are issued and kept.
 
     It looks at the energy balance, contacts that were passed, functions of events, rates of prescribed motions,
-    positions that are nearly singular, wheels that would lift or lie flat, ropes at their ends, vibrations that grow
-    while actuators hold a path, and energies of the user's laws.
+    positions that are nearly singular, wheels that would lift, ropes at their ends, vibrations that grow while
+    actuators hold a path, and energies of the user's laws.
 
     Parameters
     ----------
@@ -55,8 +54,6 @@ def audited(system: CoreSystem, run: Run, found: Integration) -> Integration:
     for text in run.dangers():
         found.warn(text, AuditWarning)
     for text in pulling(system.structure, system.roles, states, found.statistics.get("evaluations", 0)):
-        found.warn(text, AuditWarning)
-    for text in fallen(system.structure, states):
         found.warn(text, AuditWarning)
     for text in at_their_ends(system.structure, states):
         found.warn(text, AuditWarning)

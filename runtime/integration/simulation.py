@@ -10,7 +10,7 @@ import numpy as np
 
 from flexel.base.arguments import flag
 from flexel.base.arrays import Array
-from flexel.base.errors import RangeWarning
+from flexel.base.errors import AuditWarning, RangeWarning
 from flexel.integration import methods
 from flexel.integration.audit import audited
 from flexel.integration.choose import Chosen, automatic
@@ -22,6 +22,7 @@ from flexel.integration.outcome import Integration, from_start, stored_times
 from flexel.integration.ranges import outside
 from flexel.integration.step_method import StepMethod
 from flexel.integration.watch import Watch, watch_of
+from flexel.integration.wheels_flat import fallen
 from flexel.mechanics.internal_dynamics import check_stable
 from flexel.mechanics.ranges import compared
 from flexel.model.state import State
@@ -162,14 +163,17 @@ def explained(found: Integration, *why: str) -> Integration:
 
 
 def audited_run(system: CoreSystem, run: Run, found: Integration, times: Array) -> Integration:
-    """Return the result with its verdict, and warnings of quantities outside the range of laws and elements."""
+    """Return the result with its verdict, and warnings of what is outside the range of laws, elements and wheels."""
     stored = found.since(float(times[0])).states
     beyond = outside(system, stored)
     if beyond:
         found.warn("; ".join(beyond), RangeWarning, "")
-    elements = compared(system.evaluation, stored.times, stored.deformations, stored.coordinates)
+    at, x = stored.times, stored.coordinates
+    elements = compared(system.evaluation, at, stored.deformations, x)
     for text in elements.texts:
         found.warn(text, RangeWarning)
+    for text in fallen(system.structure, at, x):
+        found.warn(text, AuditWarning)
     found = audited(system, run, found)
     if np.isnan(elements.share):
         return found

@@ -2,26 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from flexel.integration.outcome import States
+from flexel.base.arrays import Array
 from flexel.model.instances import Instance
 from flexel.model.structure import Structure
 
 
-def fallen(structure: Structure, states: States) -> Iterator[str]:
-    """Describe wheels whose hub is above the road at first, and below it at a later stored state."""
-    wheels = [one for one in structure.instances if _rolls(one)]
-    x = states.coordinates if wheels else np.zeros((0, 0))
-    for wheel in wheels:
+def fallen(structure: Structure, times: Sequence[float], x: Array) -> Iterator[str]:
+    """Describe wheels whose hub is above the road at first, and below it at a later stored time, for x (times, n)."""
+    for wheel in filter(_rolls, structure.instances):
         hub, *_, contact = wheel.nodes
         height = (x[:, structure.places(hub)] - x[:, structure.places(contact)]) @ wheel.parameters["normal"]
         below = np.flatnonzero(height < 0)
         if below.size and height[0] > 0:
             yield (
-                f"wheel '{wheel.name}' has fallen flat: at t = {states.times[below[0]]:g} s its hub is below the road, "
+                f"wheel '{wheel.name}' has fallen flat: at t = {times[below[0]]:g} s its hub is below the road, "
                 f"where no contact holds it; end the motion earlier, such as by an event on the height of '{hub}'"
             )
 

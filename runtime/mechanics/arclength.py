@@ -13,7 +13,7 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Generic, Protocol, TypeVar
 
 import numpy as np
@@ -80,17 +80,17 @@ class CurvePoint(Generic[Equations]):
     equations
     tangent : ndarray (n + 1,)
         Of unit arc length; its last entry is the change of the parameter, zero at a fold.
-    unstable : int or None
-        Number of motions in which it is unstable, if that is known.
     iterations : int
         Evaluations that led to it.
+    unstable : int or None
+        Number of motions in which it is unstable, if that is known.
     """
 
     y: Array
     equations: Equations
     tangent: Array
-    unstable: int | None
     iterations: int = 0
+    unstable: int | None = None
 
 
 @dataclass(frozen=True)
@@ -116,7 +116,7 @@ def point_at(
     tangent /= np.sqrt(float(weights @ tangent**2))
     if before is not None and (weights * tangent) @ before < 0:
         tangent = -tangent
-    return CurvePoint(y, equations, tangent, curve.unstable(equations), iterations)
+    return CurvePoint(y, equations, tangent, iterations)
 
 
 def corrected(
@@ -163,7 +163,18 @@ def corrected(
             break
         y, equations = onward, there
     point = point_at(curve, y, equations, known.tangent, found.iterations)
-    return point if _follows(curve, point, guess, known, arc) else None
+    return _counted(curve, point, known, arc) if _follows(curve, point, guess, known, arc) else None
+
+
+def _counted(
+    curve: SolutionCurve[Equations], point: CurvePoint[Equations], known: CurvePoint[Equations], arc: float
+) -> CurvePoint[Equations] | None:
+    """Return a point with its number of unstable motions; None if this changes by more than one in a longer step."""
+    before, now = known.unstable, curve.unstable(point.equations)
+    if arc > SHORT and before is not None and now is not None and abs(now - before) > 1:
+        log.debug("point refused: unstable in %d motions after %d", now, before)
+        return None
+    return replace(point, unstable=now)
 
 
 def _follows(
@@ -185,10 +196,6 @@ def _follows(
     same = np.sign([curve.sign(p.equations) * p.tangent[-1] for p in (known, point)])
     if same[0] * same[1] < 0:
         log.debug("point refused: it is beyond a fold, or curves cross")
-        return False
-    before, now = known.unstable, point.unstable
-    if before is not None and now is not None and abs(now - before) > 1:
-        log.debug("point refused: unstable in %d motions after %d", now, before)
         return False
     turned = cosine(known.tangent, point.tangent)
     along = cosine(known.tangent + point.tangent, point.y - known.y)

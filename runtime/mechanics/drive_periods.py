@@ -7,7 +7,7 @@ from functools import partial
 
 import numpy as np
 
-from flexel.base.arrays import Array
+from flexel.base.arrays import Array, largest
 from flexel.base.errors import LinearizationError, ModelError
 from flexel.base.time_functions import TimeFunction, value_of
 from flexel.mechanics.kinematics import Kinematics
@@ -31,7 +31,7 @@ def check_drives(kinematics: Kinematics, begin: float, period: float) -> None:
     structure, roles, loads = kinematics.structure, kinematics.roles, kinematics.loads
     times = begin + PLACES_IN_PERIOD * period
     forces = [_values(partial(value_of, f), times, period) for f in loads.functions]
-    least = UNSEEN * max((_largest(now) for now, _ in forces), default=0.0)
+    least = UNSEEN * max((largest(now) for now, _ in forces), default=0.0)
     for i, (now, later) in zip(loads.quantities, forces, strict=True):
         _check(f"the load on '{structure.names[i]}'", now, later, least, period)
     for i, motion in zip(roles.prescribed, roles.motions, strict=True):
@@ -40,7 +40,7 @@ def check_drives(kinematics: Kinematics, begin: float, period: float) -> None:
             now, later = _values(partial(_rate, motion, order), times, period)
             _check(owner, now, later, least, period)
             least = (
-                2 * np.pi / period * _largest(now)
+                2 * np.pi / period * largest(now)
             )  # an acceleration is compared with what the rate asks for
 
 
@@ -58,13 +58,9 @@ def _rate(motion: TimeFunction, order: int, t: float) -> float:
 
 
 def _check(owner: str, now: Array, later: Array, least: float, period: float) -> None:
-    size, off = max(_largest(now), _largest(later), least), _largest(later - now)
+    size, off = max(largest(now), largest(later), least), largest(later - now)
     if off > OFF * size:
         raise LinearizationError(
             f"periodic: {owner} does not have the period {period:g} s: one period later it differs by {off / size:.2g} "
             "of its largest value; give a period that all loads and prescribed motions have"
         )
-
-
-def _largest(values: Array) -> float:
-    return float(np.abs(values).max(initial=0.0))

@@ -5,9 +5,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Sequence
 
-import numpy as np
-
-from flexel.base.arrays import Array
+from flexel.base.arrays import Array, largest
 from flexel.base.callers import outside
 from flexel.base.errors import UnsteadyWarning
 from flexel.base.shown import listed
@@ -35,9 +33,13 @@ def acceleration(M: Array, H: Array, state: State) -> float:  # noqa: N803
         First-order transfer function.
     state : State
     """
-    inertia = _largest(M @ state.Phi_v[state.roles.dynamic]) if M.size else 0.0
-    pulled = state.J[: state.stresses.size, : H.shape[0]].T @ state.stresses
-    return inertia / max(inertia, _largest(pulled) * _largest(H), SMALL * _largest(M), 1e-300)
+    inertia = largest(M @ state.Phi_v[state.roles.dynamic]) if M.size else 0.0
+    return inertia / max(inertia, balancing(H, state), SMALL * largest(M), 1e-300)
+
+
+def balancing(H: Array, state: State) -> float:  # noqa: N803
+    """Return the largest force that stresses exert on a degree of freedom at a state, for its transfer function H."""
+    return largest(state.J[: state.stresses.size, : H.shape[0]].T @ state.stresses) * largest(H)
 
 
 def check_steady(what: str, off: float) -> None:
@@ -84,7 +86,3 @@ def warn_of_variation(what: str, change: float, moving: Sequence[str]) -> None:
         UnsteadyWarning,
         stacklevel=outside(),
     )
-
-
-def _largest(values: Array) -> float:
-    return float(np.abs(values).max(initial=0.0))

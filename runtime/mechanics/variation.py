@@ -12,13 +12,14 @@ from collections.abc import Callable, Sequence
 from typing import Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
-from flexel.base.arrays import Array, ComplexArray, Index
+from flexel.base.arrays import Array, ComplexArray, Index, largest
 from flexel.base.errors import PositionError
 from flexel.mechanics.kinematics import Kinematics
 from flexel.mechanics.soft import Spectrum
 from flexel.mechanics.states import state_of
-from flexel.mechanics.steadiness import UNSTEADY
+from flexel.mechanics.steadiness import UNSTEADY, balancing
 from flexel.mechanics.transfer import GeometricTransfer
 from flexel.mechanics.travel import travelled
 from flexel.model.snapshot import Snapshot
@@ -67,7 +68,9 @@ class Afterwards:
     """
 
     def __init__(
-        self, linearize: Callable[[Kinematics, Sequence[State]], Sequence[Linear]], kinematics: Kinematics
+        self,
+        linearize: Callable[[Kinematics, Sequence[State]], Sequence[Linear]],
+        kinematics: Kinematics,
     ) -> None:
         self._linearize, self._kinematics = linearize, kinematics
 
@@ -92,12 +95,11 @@ class Afterwards:
         )
         change = sum(matrix @ rates for matrix, rates in changes)
         rounding = CANCELLED * max(
-            _size(scales[:, None] * matrix) * _size(rates) for matrix, rates in changes
+            largest(scales[:, None] * matrix) * largest(rates) for matrix, rates in changes
         )
-        pulled = state.J[: state.stresses.size, : H.shape[0]].T @ state.stresses
-        inertia = fastest**2 * _size(scales[:, None] * now.M * scales)
-        balancing = max(_size(pulled) * _size(H * scales), inertia)
-        return max(_size(scales * change) - rounding, 0.0) * time / balancing
+        inertia = fastest**2 * largest(scales[:, None] * now.M * scales)
+        balance = max(balancing(H * scales, state), inertia)
+        return max(largest(scales * change) - rounding, 0.0) * time / balance
 
     def change(self, now: Linear, found: Spectrum) -> float:
         """Return how much the coefficients change, as the vibrations feel it: twice the change of an eigenvalue.
@@ -127,13 +129,13 @@ class Afterwards:
             later = _continued(kinematics, state, [state.t + part * (t - state.t) for t in times])
             if len(later) == len(times):
                 break
-        A, largest = now.state_matrix, 0.0
-        sizes = np.sqrt(np.maximum(np.abs(values), SLOW * np.abs(values).max(initial=0.0)))
+        A, most = now.state_matrix, 0.0
+        sizes = np.sqrt(np.maximum(np.abs(values), SLOW * largest(values)))
         for then in self._linearize(kinematics, later):
             if then.acceleration <= UNSTEADY:
                 felt = np.abs(left.conj().T @ (then.state_matrix - A) @ right) / np.outer(sizes, sizes)
-                largest = max(largest, 2 * float(np.sqrt(felt * felt.T).max(initial=0.0)))
-        return largest
+                most = max(most, 2 * largest(np.sqrt(felt * felt.T)))
+        return most
 
     def _fastest(self, state: State, rows: Index | None = None) -> float:
         """Return the fastest rate of some quantities, by default all, in natural scales [1/s]."""
@@ -141,11 +143,15 @@ class Afterwards:
         return float(np.abs(state.rates[which] / self._kinematics.scales(which)).max(initial=0.0))
 
 
+def _moving(values: ComplexArray) -> NDArray[np.bool_]:
+    """Which eigenvalues are not zero."""
+    return np.asarray(np.abs(values) > FREE * largest(values))
+
+
 def _period(values: ComplexArray) -> float:
     """Return the period of the slowest eigenvalue that is not zero [s]; zero if there is none."""
-    sizes = np.abs(values)
-    moving = sizes[sizes > FREE * sizes.max(initial=0.0)]
-    return 2 * np.pi / float(moving.min()) if moving.size else 0.0
+    slowest = float(np.abs(values[_moving(values)]).min(initial=np.inf))
+    return 2 * np.pi / slowest
 
 
 def _vibrations(found: Spectrum) -> Spectrum:
@@ -155,12 +161,8 @@ def _vibrations(found: Spectrum) -> Spectrum:
     """
     values, left, right = found
     products = (left.conj() * right).sum(axis=0)  # of unit vectors
-    used = (np.abs(values) > FREE * np.abs(values).max(initial=0.0)) & (np.abs(products) > DEFECTIVE)
+    used = _moving(values) & (np.abs(products) > DEFECTIVE)
     return values[used], left[:, used] / products[used].conj(), right[:, used]
-
-
-def _size(values: Array) -> float:
-    return float(np.abs(values).max(initial=0.0))
 
 
 def _continued(kinematics: Kinematics, state: State, times: Sequence[float]) -> list[State]:

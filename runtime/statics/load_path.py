@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -188,7 +188,8 @@ def _follow(problem: Rest, start: State, mu: Array, t0: float, t1: float) -> Fou
         return end is not None
 
     try:
-        passed.append(point_at(curve, np.append(curve.start, 0.0), curve.first))
+        first = point_at(curve, np.append(curve.start, 0.0), curve.first)
+        passed.append(replace(first, unstable=found.unstable[0]))
         arc = follow(curve, passed[0], (-np.inf, 1.0), ARCS, keep, finish)
     except TangentError as error:
         found.message = (

@@ -9,7 +9,7 @@ from functools import cached_property
 import numpy as np
 
 from flexel.base.arguments import names, numbers
-from flexel.base.arrays import Array
+from flexel.base.arrays import Array, largest
 from flexel.base.errors import ModelError, PositionError
 from flexel.engine.solvers import least
 from flexel.mechanics.linearized_system import LinearizedSystem
@@ -137,11 +137,6 @@ def _force_scale(system: CoreSystem, state: State, lin: LinearizedSystem) -> flo
     return max(
         max(largest(work.F[:nf]), largest(pulled[:nf])) * largest(reach), largest(work.M) * 1e-3, 1e-300
     )
-
-
-def largest(values: Array) -> float:
-    """Return the largest magnitude in an array; zero if it is empty."""
-    return float(np.abs(values).max(initial=0.0))
 
 
 def _with_rates(system: CoreSystem, start: State, rates: Mapping[str, float]) -> State:
