@@ -26,6 +26,9 @@ MAX_DESCENT_SIZE = 600  # the same for a descent, which computes all eigenvector
 NEUTRAL_TOLERANCE = 1e-11  # eigenvalue, relative to the largest entry of the stiffness, that counts as zero
 SYMMETRY_TOLERANCE = 1e-7  # relative difference below which a tangent counts as symmetric
 SYMMETRY_ROUNDING = 1e-12  # the same relative to its largest entry
+# Growth of entries in an elimination without exchanges, beside the largest, at which the signs of pivots still hold:
+# rounding, 2e-16 times this, stays below the stiffness that counts as zero.
+MOST_GROWTH = 1e4
 SPRING_STIFFNESS = 100.0  # of springs on the conditions, relative to the largest entry of the stiffness
 MAX_STEPS = 200
 # Stiffness, relative to that at the start of a descent, that indicates a singular element.
@@ -72,8 +75,9 @@ def unstable_motions(problem: Rest, q: Equations) -> int | None:
     K, D = scale @ A[:nf, :nf] @ scale, A[nf:, :nf] @ scale
     if not _has_potential(K):
         return None
-    if _certainly_stable(K, D):
-        return 0
+    negative = _negative_pivots(K, D)
+    if negative == 0 or (negative is not None and not D.shape[0]):
+        return negative
     if not np.array_equal(problem.force_rows, problem.hold_rows):
         return None  # wheels roll
     if q.matrix.pattern.size > MAX_SIZE:
@@ -101,21 +105,28 @@ def _has_potential(K: Any) -> bool:
     return bool(np.all(np.abs(off.data) <= allowed))
 
 
-def _certainly_stable(K: csc_array, D: csc_array) -> bool:
-    """Whether a symmetric stiffness (nf, nf), with stiff springs on the conditions (nm, nf), is positive definite.
+def _negative_pivots(K: csc_array, D: csc_array) -> int | None:
+    """Count the negative eigenvalues of a symmetric stiffness (nf, nf), with stiff springs on the conditions (nm, nf).
 
-    This is sufficient, and fast: the pivots of a sparse elimination without exchanges are positive.
+    Zero proves that the equilibrium is stable; other counts hold where there are no conditions (the springs are not
+    rigid).  By Sylvester's law of inertia, it is the number of negative pivots of a sparse elimination without
+    exchanges.  None if a pivot was exchanged or has lost its digits.
     """
     size = float(np.abs(K.data).max(initial=0.0))
     lengths = np.sqrt(np.asarray(D.multiply(D).sum(axis=1)).ravel())
     D = diags_array(np.sqrt(SPRING_STIFFNESS * size) / np.maximum(lengths, 1e-300)) @ D
-    whole = csc_array((K + K.T) / 2 + D.T @ D)
+    neutral = diags_array(np.full(K.shape[0], NEUTRAL_TOLERANCE * size))
+    whole = csc_array((K + K.T) / 2 + neutral + D.T @ D)
     try:
         factors = splu(whole, "MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
     except RuntimeError:  # the only sign of a zero pivot
-        return False
-    exchanged = not np.array_equal(factors.perm_r, factors.perm_c)
-    return not exchanged and bool(np.all(factors.U.diagonal() > 0))
+        return None
+    if not np.array_equal(factors.perm_r, factors.perm_c):
+        return None
+    pivots = factors.U.diagonal()
+    negative = int(np.sum(pivots < 0))
+    grown = float(np.abs(factors.U.data).max(initial=0.0)) > MOST_GROWTH * size
+    return None if negative and grown else negative
 
 
 def _negative(d: Array) -> int:
