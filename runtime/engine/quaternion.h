@@ -37,6 +37,23 @@ static inline void flexel_turn(const double *L0, const double *p, double *L)
         L[k] /= size;
 }
 
+/* a along the axes of space, for a along those of a frame with Euler parameters L of length one. */
+static inline void flexel_to_space(const double *L, const double *a, double *b)
+{
+    double once[3], twice[3];
+    flexel_cross(L + 1, a, once);
+    flexel_cross(L + 1, once, twice);
+    for (size_t k = 0; k < 3; k++)
+        b[k] = a[k] + 2 * (L[0] * once[k] + twice[k]);
+}
+
+/* The reverse. */
+static inline void flexel_to_frame(const double *L, const double *a, double *b)
+{
+    const double back[4] = {L[0], -L[1], -L[2], -L[3]};
+    flexel_to_space(back, a, b);
+}
+
 /* The rotation vector from L0 to L, of half a turn at most. */
 static inline void flexel_turn_between(const double *L0, const double *L, double *p)
 {

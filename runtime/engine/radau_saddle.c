@@ -1,6 +1,7 @@
 /* Sparse linear systems of a step of Radau IIA; see radau_saddle.h. */
 #include "radau_saddle.h"
 #include "evaluate.h"
+#include "quaternion.h"
 #include "rotations.h"
 
 #include <math.h>
@@ -92,6 +93,8 @@ static void place_rotations(const flexel_radau_saddle *o, size_t count, double *
             double v[4], w[3];
             for (size_t j = 0; j < 3; j++)
                 w[j] = X[(o->held + (size_t)dof[j]) * count + k];
+            if (r->space[i])
+                flexel_to_frame(L, (const double[]){w[0], w[1], w[2]}, w);
             FLEXEL_TURN(v, L, w);
             for (size_t j = 0; j < 3; j++)
                 X[(o->held + (size_t)dof[j]) * count + k] = v[r->part[3 * i + j]];
@@ -116,6 +119,8 @@ static void changes(const flexel_radau_saddle *o, size_t numbers, size_t n, cons
             for (size_t k = 0; k < 4; k++)
                 dL[k] = dx[part * n + (size_t)r->at[4 * i + k]];
             FLEXEL_SPIN(p, L, dL);
+            if (r->space[i])
+                flexel_to_space(L, (const double[]){p[0], p[1], p[2]}, p);
             for (size_t k = 0; k < 3; k++)
                 z[(size_t)r->dof[3 * i + k] * numbers + part] = p[k];
         }
@@ -124,7 +129,7 @@ static void changes(const flexel_radau_saddle *o, size_t numbers, size_t n, cons
             z[(size_t)o->angles->dof[i] * numbers + part] /= slope(o->angles, i);
 }
 
-/* Changes w x z / 2 of angular velocities for changes z, added to b. */
+/* Changes w x z / 2 of angular velocities for changes z, added to b; along the axes of space they are the opposite. */
 static void add_turning(const flexel_radau_saddle *o, size_t numbers, const double *z, double *b)
 {
     const flexel_turns *r = o->turns;
@@ -132,9 +137,9 @@ static void add_turning(const flexel_radau_saddle *o, size_t numbers, const doub
         for (size_t part = 0; part < numbers; part++)
             for (size_t k = 0; k < 3; k++) {
                 const int *dof = r->dof + 3 * i, next = dof[(k + 1) % 3], last = dof[(k + 2) % 3];
-                const double *w = r->spin + 3 * i;
-                b[(o->nd + (size_t)dof[k]) * numbers + part] +=
-                    (w[(k + 1) % 3] * z[(size_t)last * numbers + part] - w[(k + 2) % 3] * z[(size_t)next * numbers + part]) / 2;
+                const double *w = r->spin + 3 * i, half = r->space[i] ? -0.5 : 0.5;
+                b[(o->nd + (size_t)dof[k]) * numbers + part] += half * (w[(k + 1) % 3] * z[(size_t)last * numbers + part] -
+                                                                        w[(k + 2) % 3] * z[(size_t)next * numbers + part]);
             }
 }
 

@@ -23,6 +23,36 @@ static void scatter(const flexel_turns *r, size_t i, const double *a, double *y)
         y[r->dof[3 * i + k]] = a[k];
 }
 
+/* The same along the axes of the frame, whose Euler parameters are L for what is along the axes of space. */
+static void gather_in_frame(const flexel_turns *r, size_t i, const double *L, const double *y, double *a)
+{
+    double own[3];
+    gather(r, i, y, own);
+    if (r->space[i])
+        flexel_to_frame(L, own, a);
+    else
+        memcpy(a, own, sizeof own);
+}
+
+static void scatter_from_frame(const flexel_turns *r, size_t i, const double *L, const double *a, double *y)
+{
+    double own[3];
+    if (r->space[i]) {
+        flexel_to_space(L, a, own);
+        scatter(r, i, own, y);
+    } else
+        scatter(r, i, a, y);
+}
+
+/* The Euler parameters of frame i. */
+static void orientation(const flexel_turns *r, size_t i, const double *variables, double *L)
+{
+    const double *start = r->start + 4 * i;
+    double p[3];
+    gather_in_frame(r, i, start, variables, p);
+    flexel_turn(start, p, L);
+}
+
 void flexel_turns_begin(const flexel_turns *r, const double *x, const double *v, double *y)
 {
     for (size_t i = 0; i < r->count; i++) {
@@ -33,7 +63,7 @@ void flexel_turns_begin(const flexel_turns *r, const double *x, const double *v,
         }
         FLEXEL_SPIN(w, L, rates);
         scatter(r, i, (const double[]){0, 0, 0}, y);
-        scatter(r, i, w, y + r->nq);
+        scatter_from_frame(r, i, L, w, y + r->nq);
         if (L1[0] == 0 && flexel_length(L1 + 1) == 0)
             memcpy(L1, L, 4 * sizeof(double));
     }
@@ -42,10 +72,9 @@ void flexel_turns_begin(const flexel_turns *r, const double *x, const double *v,
 void flexel_turns_place(const flexel_turns *r, const double *variables, double *y, double *L)
 {
     for (size_t i = 0; i < r->count; i++, L += 4) {
-        double p[3], w[3], rates[4];
-        gather(r, i, variables, p);
-        gather(r, i, variables + r->nq, w);
-        flexel_turn(r->start + 4 * i, p, L);
+        double w[3], rates[4];
+        orientation(r, i, variables, L);
+        gather_in_frame(r, i, L, variables + r->nq, w);
         FLEXEL_TURN(rates, L, w);
         for (size_t k = 0; k < 3; k++) {
             y[r->dof[3 * i + k]] = L[r->part[3 * i + k]];
@@ -54,8 +83,8 @@ void flexel_turns_place(const flexel_turns *r, const double *variables, double *
     }
 }
 
-/* Rates of a rotation vector. */
-static void rates_of_vector(const double *p, const double *w, double *rates)
+/* Rates of a rotation vector; along the axes of the frame with sign = 1, of space with -1. */
+static void rates_of_vector(double sign, const double *p, const double *w, double *rates)
 {
     const double square = flexel_product(p, p), half = sqrt(square) / 2;
     const double third = half < SERIES / 2 ? (1 + square * (1 + square * (1 + square / 40) / 42) / 60) / 12
@@ -64,7 +93,7 @@ static void rates_of_vector(const double *p, const double *w, double *rates)
     flexel_cross(p, w, once);
     flexel_cross(p, once, twice);
     for (size_t k = 0; k < 3; k++)
-        rates[k] = w[k] + once[k] / 2 + third * twice[k];
+        rates[k] = w[k] + sign * once[k] / 2 + third * twice[k];
 }
 
 void flexel_turns_rates(const flexel_turns *r, const flexel_work *s, const double *variables, double *f)
@@ -76,10 +105,10 @@ void flexel_turns_rates(const flexel_turns *r, const flexel_work *s, const doubl
         double p[3], w[3], rates[3];
         gather(r, i, variables, p);
         gather(r, i, variables + r->nq, w);
-        rates_of_vector(p, w, rates);
+        rates_of_vector(r->space[i] ? -1 : 1, p, w, rates);
         scatter(r, i, rates, f);
         FLEXEL_SPIN(rates, L, second);
-        scatter(r, i, rates, f + r->nq);
+        scatter_from_frame(r, i, L, rates, f + r->nq);
     }
 }
 
@@ -87,9 +116,8 @@ void flexel_turns_sizes(const flexel_turns *r, const double *variables, double *
 {
     for (size_t i = 0; i < r->count; i++) {
         double p[3], w[3], L[4];
-        gather(r, i, variables, p);
         gather(r, i, variables + r->nq, w);
-        flexel_turn(r->start + 4 * i, p, L);
+        orientation(r, i, variables, L);
         flexel_turn_between(r->first + 4 * i, L, p);
         const double turned = 2 * sin(flexel_length(p) / 2), speed = flexel_length(w);
         scatter(r, i, (const double[]){turned, turned, turned}, size);
@@ -101,13 +129,18 @@ void flexel_turns_guess(const flexel_turns *r, const double *last, double *Z)
 {
     const double none[4] = {1, 0, 0, 0};
     for (size_t i = 0; i < r->count; i++) {
+        const double sign = r->space[i] ? -1 : 1; /* R R1^T in space is that of the reverse rotations in a frame */
         double p[3], q[3], end[4], later[4];
         gather(r, i, last, p);
-        flexel_turn(none, p, end);
         gather(r, i, Z, q);
-        flexel_turn(none, (const double[]){p[0] + q[0], p[1] + q[1], p[2] + q[2]}, later);
+        for (size_t k = 0; k < 3; k++) {
+            p[k] *= sign;
+            q[k] = p[k] + sign * q[k];
+        }
+        flexel_turn(none, p, end);
+        flexel_turn(none, q, later);
         flexel_turn_between(end, later, p);
-        scatter(r, i, p, Z);
+        scatter(r, i, (const double[]){sign * p[0], sign * p[1], sign * p[2]}, Z);
     }
 }
 
@@ -115,8 +148,7 @@ void flexel_turns_accept(const flexel_turns *r, double *variables, double *rates
 {
     for (size_t i = 0; i < r->count; i++) {
         double p[3], L[4];
-        gather(r, i, variables, p);
-        flexel_turn(r->start + 4 * i, p, L);
+        orientation(r, i, variables, L);
         memcpy(r->start + 4 * i, L, sizeof L);
         scatter(r, i, (const double[]){0, 0, 0}, variables);
         gather(r, i, variables + r->nq, p);
@@ -137,7 +169,7 @@ double flexel_turns_longest(const flexel_turns *r, const double *variables, doub
     for (size_t i = 0; i < r->count; i++) {
         const double *L = r->start + 4 * i;
         double w[3], rates[4];
-        gather(r, i, variables + r->nq, w);
+        gather_in_frame(r, i, L, variables + r->nq, w);
         const double speed = flexel_length(w);
         if (!(speed > 0))
             continue;
@@ -190,7 +222,8 @@ void flexel_turns_divide(const flexel_turns *r, const double *shift, double sign
             b[j + 1] = x * inverse[1] + y * inverse[0];
     }
     for (size_t i = 0; i < r->count; i++) {
-        const double *w = r->spin + 3 * i, half[3] = {sign * w[0] / 2, sign * w[1] / 2, sign * w[2] / 2};
+        const double *w = r->spin + 3 * i, factor = r->space[i] ? -sign / 2 : sign / 2;
+        const double half[3] = {factor * w[0], factor * w[1], factor * w[2]};
         double parts[2][3] = {{0, 0, 0}, {0, 0, 0}};
         for (size_t k = 0; k < 3; k++)
             for (size_t part = 0; part < numbers; part++)

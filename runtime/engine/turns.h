@@ -7,6 +7,11 @@
  *
  * A steady rotation is p = w t, which collocation integrates exactly in steps of any length. A change of variables from step
  * to step does not change J where the frame sees the same: p and w are those of the body, whatever L is.
+ *
+ * What acts on a ball that rolls is the same in space, however the ball turns. For such frames both vectors are along the axes
+ * of space instead, P = R0 p and W = R w with the rotation matrices R0 at the start and R, so that
+ *
+ *   P' = W - P x W / 2 + (1 - |P|/2 cot |P|/2) / |P|^2 P x (P x W),   W' = R 2 E L''.
  * Source: Hairer, Lubich and Wanner (2006), Geometric Numerical Integration, IV.8. */
 #ifndef FLEXEL_TURNS_H
 #define FLEXEL_TURNS_H
@@ -20,6 +25,7 @@ typedef struct {
     const int *part, *rest; /* which of the four are degrees of freedom (count, 3), and which is not (count) */
     const int *dof;         /* numbers of these among the dynamic ones (count, 3) */
     double *start, *first;  /* Euler parameters at the start of the step, and of the motion (count, 4) */
+    int *space;             /* whether the variables of a frame are along the axes of space (count) */
     double *seen, *spin;    /* for which J is: Euler parameters (count, 4), angular velocities (count, 3) */
 } flexel_turns;
 /* cdef: end */

@@ -54,8 +54,8 @@ class SaddleFactors(Struct):
         for name, pattern in (("T", t.T.whole), ("J", t.J)):
             setattr(c, f"{name}_start", self.integers(pattern.start.astype(np.int32)))
             setattr(c, f"{name}_column", self.integers(pattern.column.astype(np.int32)))
-        for name in ("K", "D", "M"):
-            self.new(name, t.T.whole.size)
+        self._K, self._D, self._M = (self.new(name, t.T.whole.size) for name in "KDM")
+        self._pattern = t.T.pattern
         self.new("mass", t.M.size + t.J.size)
         self.new("single_values", t.T.whole.size + t.J.size)
         self.new("pair_values", 3 * t.T.whole.size + t.J.size)
@@ -85,6 +85,10 @@ class SaddleFactors(Struct):
         self.angles = Angles(kinematics.structure, kinematics.roles)
         self.struct.turns, self.struct.angles = self.turns.struct, self.angles.struct
         self._dynamic = kinematics.roles.dynamic.astype(np.int32)
+        at = self.turns.rotations.at.astype(np.intp)
+        rows, columns = np.broadcast_arrays(at[:, :, None], at[:, None, :])
+        self._own = np.minimum(self._pattern.find(rows, columns), self._pattern.size - 1)
+        self._has = (self._pattern.row[self._own] == rows) & (self._pattern.column[self._own] == columns)
         self.struct.dynamic = ffi.from_buffer("int[]", self._dynamic)
 
     def look(self, kinematics: Kinematics, now: Snapshot, z: Array) -> None:
@@ -106,6 +110,19 @@ class SaddleFactors(Struct):
             stresses = work.pointer_of(np.ascontiguousarray(state.stresses))
             code = lib.flexel_radau_look(work.struct, self.struct, stresses)
             kinematics.check(lib.FLEXEL_SINGULAR if code else 0, now.t)
+
+    def acting(self) -> Array:
+        """Return what acts on the frames, along their axes, at the state that was looked at: see `Turns.steadier`.
+
+        The frames are taken as if each turned alone.
+        """
+        E = self.turns.spinning()
+        M, D, K = (
+            E @ np.where(self._has, values[self._own], 0.0) @ E.transpose(0, 2, 1)
+            for values in (self._M, self._D, self._K)
+        )
+        inertia = np.trace(M, axis1=1, axis2=2)[:, None, None] / 3
+        return np.divide([D, K], inertia, out=np.zeros((2, *K.shape)), where=inertia > 0)
 
 
 def _entries(kinematics: Kinematics) -> tuple[Entries, Entries]:

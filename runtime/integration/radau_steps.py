@@ -12,8 +12,10 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from flexel.base.arrays import Array, Index
+from flexel.base.quaternions import matrix
 from flexel.engine.angles import Angles, placed
 from flexel.engine.coordinate_work import CoordinateWork
 from flexel.engine.covered import Covered
@@ -241,7 +243,18 @@ class Collocation(Struct):
 
     def look(self, A: Array) -> None:
         """Take the Jacobian of the start of the step, of y in Euler parameters."""
-        self.J[:] = self.angles.jacobian(self.turns.jacobian(A, self.y, self.f), self.y, self.f)
+        turns = self.turns
+        J = turns.jacobian(A, self.y, self.f)
+        if self.choose_axes(turns.acting_in(J)):
+            J = turns.jacobian(A, self.y, self.f)
+        self.J[:] = self.angles.jacobian(J, self.y, self.f)
+
+    def choose_axes(self, acting: Array) -> bool:
+        """Choose the axes of orientations by what acts on them; return whether any have changed."""
+        found = self.turns.steadier(acting, self.struct.h)
+        for i in found.tolist():
+            self.turns.change_axes(i, self.y, self.f, self.powers)
+        return bool(found.size)
 
     def look_again(self) -> None:
         """Take the known Jacobian as that of the start of the step."""
@@ -259,11 +272,11 @@ class Collocation(Struct):
     def accept(self, first: Snapshot, last: Snapshot) -> StagePolynomial:
         """Continue from the end of the last step; return its dense output between its ends."""
         c, t, y, L = self.struct, self.struct.t, self.y.copy(), self.turns.start.copy()
-        end, charts = y + self.Z[2], self.angles.charts
+        end, charts, space = y + self.Z[2], self.angles.charts, self.turns.space.copy()
         lib.flexel_radau_accept(*self._structs)
         powers, rotations = self.powers.copy(), self.turns.rotations
         return StagePolynomial(
-            self.kinematics, first, last, t, c.last_h, y, powers, end, rotations, L, charts
+            self.kinematics, first, last, t, c.last_h, y, powers, end, rotations, L, space, charts
         )
 
 
@@ -289,6 +302,8 @@ class StagePolynomial(Variables):
         Orientations that turn freely.
     L : ndarray (count, 4)
         Their Euler parameters at the start.
+    space : ndarray of int (count,)
+        Whether their values are along the axes of space.
     charts : ndarray (angles, 3)
         What the angles are, see `Angles.charts`.
     """
@@ -300,6 +315,7 @@ class StagePolynomial(Variables):
     end: Array
     rotations: Rotations
     L: Array
+    space: NDArray[np.int32]
     charts: Array
 
     def __call__(self, t: float) -> Array:
@@ -309,7 +325,13 @@ class StagePolynomial(Variables):
         r, found = self.rotations, placed(found, self.charts, self.rotations.nq)
         if not r.count:
             return found
-        L, w, y = r.turned(self.L, found[r.dof]), found[r.nq + r.dof], found.copy()
+        p, w, y = found[r.dof], found[r.nq + r.dof], found.copy()
+        along = np.flatnonzero(self.space)
+        for i in along:
+            p[i] = matrix(self.L[i]).T @ p[i]
+        L = r.turned(self.L, p)
+        for i in along:
+            w[i] = matrix(L[i]).T @ w[i]
         y[r.dof] = np.take_along_axis(L, r.part, axis=1)
         return r.place(y, w.ravel(), L[np.arange(r.count), r.rest])
 
