@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Sequence
 from copy import copy
 from dataclasses import dataclass
@@ -13,13 +14,20 @@ import numpy as np
 from flexel.base.arguments import names, number, positive, vector
 from flexel.base.arrays import Array
 from flexel.base.blas import in_one_thread
-from flexel.base.errors import ModelError
+from flexel.base.errors import FlexelError, ModelError
 from flexel.base.shown import listed, prints
 from flexel.base.time_functions import Held
 from flexel.integration import methods
+from flexel.integration.choose import CHEAPER, linear_algebra
+from flexel.integration.dop853 import Dop853
+from flexel.integration.driver import Run
+from flexel.integration.methods import AUTO
 from flexel.integration.minimal import MinimalRun
+from flexel.integration.radau import Radau
+from flexel.integration.step_method import StepMethod
 from flexel.integration.steps import GeneralizedAlpha
-from flexel.integration.stiffness import ALPHA, EXPLICIT, RADAU
+from flexel.integration.stiffness import ALPHA, EXPLICIT, RADAU, few, suitable
+from flexel.integration.watch import LOOK
 from flexel.model.applied_loads import Load
 from flexel.model.quantities import history
 from flexel.model.state import State
@@ -27,17 +35,31 @@ from flexel.model.structure import Structure
 from flexel.results.analyses.restoring import restored
 from flexel.system import CoreSystem
 
-METHODS = (EXPLICIT, RADAU, ALPHA)
+METHODS = (AUTO, EXPLICIT, RADAU, ALPHA)
 RTOL = 1e-6
+log = logging.getLogger("flexel.simulate")
 
 
 @dataclass(frozen=True)
 class Saved:
-    """The saved state of a stepper: its state, the values of its inputs, and the step [s] of its integrator."""
+    """The saved state of a stepper: its state, the values of its inputs, and how it goes on.
+
+    Attributes
+    ----------
+    state : State
+    inputs : tuple of float
+    step : float or None
+        Step of the integrator [s].
+    method : str
+    look : int or None
+        Steps of the integrator up to the next comparison of methods; None if the method stays.
+    """
 
     state: State
     inputs: tuple[float, ...]
     step: float | None
+    method: str
+    look: int | None
 
 
 class Stepper:
@@ -75,7 +97,7 @@ class Stepper:
             raise ModelError(f"stepper: method {method!r} is unknown; choose one of {', '.join(METHODS)}")
         self.inputs, self.outputs = names(inputs, "stepper: inputs"), names(outputs, "stepper: outputs")
         methods.check(method, options)
-        self._method, self._options = method, options
+        self._asked, self._options = method, options
         self._held = [Held() for _ in self.inputs]
         self._plain = system
         self._system = _driven(system, self.inputs, self._held)
@@ -83,6 +105,15 @@ class Stepper:
         self._read: dict[str, Any] = {}
         self._first = methods.start_of(system, method, start, options)
         self.reset()
+
+    def _chosen(self) -> tuple[str, int | None]:
+        """Return the method for the start, and the steps up to the first comparison with another one."""
+        system = self._system
+        if self._asked != AUTO:
+            return self._asked, None
+        if suitable(system, self._first).method == ALPHA:
+            return ALPHA, None
+        return EXPLICIT, None if system.roles.actuated or not few(system) else LOOK
 
     @in_one_thread
     def reset(self, start: State | None = None) -> Array:
@@ -94,12 +125,14 @@ class Stepper:
             The state in which the stepper was made by default.
         """
         if start is not None:
-            self._first = methods.start_of(self._system, self._method, start, self._options)
-        return self.restore(Saved(self._first, (0.0,) * len(self._held), None))
+            self._first = methods.start_of(self._system, self._asked, start, self._options)
+        return self.restore(Saved(self._first, (0.0,) * len(self._held), None, *self._chosen()))
 
     def save(self) -> Saved:
         """Return the current state for `restore`; it can be pickled."""
-        return Saved(self.state, tuple(held.value for held in self._held), self._run.step)
+        inputs = tuple(held.value for held in self._held)
+        look = None if self._look is None else max(1, self._look - self._run.taken)
+        return Saved(self.state, inputs, self._run.step, self.method, look)
 
     def restore(self, saved: Saved) -> Array:
         """Return to a saved state; returns the outputs there.
@@ -119,24 +152,30 @@ class Stepper:
         self._begin, self._count = start.t, 0
         options = self._options.with_first(saved.step)
         times = np.array([start.t, start.t + self.dt])
-        run = methods.run_of(self._system, self._method, start, times, self.dt, options)
+        run = methods.run_of(self._system, saved.method, start, times, self.dt, options)
         if not isinstance(run, MinimalRun | GeneralizedAlpha):
             raise ModelError(
                 "stepper: every motion of the system is prescribed; nothing is left to be driven by inputs"
             )
-        self._run = run
+        self._run, self._look = run, saved.look
         run.begin()
         self._changed = False
         return self._outputs()
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle its arguments and its current state."""
-        made = (self._plain, self.dt, self.inputs, self.outputs, None, self._method, self._options)
+        made = (self._plain, self.dt, self.inputs, self.outputs, None, self._asked, self._options)
         return _again, (made, self._first, self.save())
 
     @prints
     def __repr__(self) -> str:
-        return f"Stepper(t = {self.t:g} s, dt = {self.dt:g} s; in: {listed(self.inputs)}; out: {listed(self.outputs)})"
+        parts = f"in: {listed(self.inputs)}; out: {listed(self.outputs)}; {self.method}"
+        return f"Stepper(t = {self.t:g} s, dt = {self.dt:g} s; {parts})"
+
+    @property
+    def method(self) -> str:
+        """The method at present."""
+        return self._run.name
 
     @property
     def t(self) -> float:
@@ -176,11 +215,33 @@ class Stepper:
             run.renew()
             self._changed = False
         until = self._begin + (self._count + 1) * self.dt
+        if self._look is not None and run.taken >= self._look and isinstance(run, MinimalRun):
+            self._compare(run, until)
         run.go_on(until)
-        while run.t < until:
-            run.forward()
+        _advance(run, until)
         self._count += 1
         return self._outputs()
+
+    def _compare(self, run: MinimalRun, until: float) -> None:
+        """Go on with the other method if the next step costs less by that."""
+        tolerances = methods.tolerances_of(self._system, self._options)
+        other = Dop853 if run.name == RADAU else Radau
+        run.go_on(until)
+
+        def cost(kind: type[StepMethod]) -> float:
+            trial = run.onwards(kind, tolerances)
+            try:
+                trial.once()
+                _advance(trial, until)
+            except FlexelError as error:
+                log.debug("t = %.9g s: no step by %s: %s", run.t, kind.name, error)
+                return np.inf
+            more = linear_algebra(self._system) if kind is Radau else 0.0
+            return trial.statistics["evaluations"] + trial.taken * more
+
+        if CHEAPER * cost(other) < cost(type(run.method)):
+            run.use(other, tolerances)
+        self._look = 2 * run.taken
 
     def _set(self, values: Any) -> None:
         """Set all inputs; lists of floats, the usual argument in fast loops, need no conversion."""
@@ -214,6 +275,12 @@ class Stepper:
         """Return values and rates of deformations and coordinates, and internal states (2 (m + n) + nz,)."""
         at, z = self._run.instant
         return np.concatenate([at.e, at.x, at.ed, at.v, z])
+
+
+def _advance(run: Run, until: float) -> None:
+    """Take steps up to a time [s]."""
+    while run.t < until:
+        run.forward()
 
 
 def _again(made: tuple[Any, ...], first: State, saved: Saved) -> Stepper:
@@ -261,7 +328,7 @@ def stepper(
     inputs: Sequence[str] = (),
     outputs: Sequence[str] = (),
     start: State | None = None,
-    method: str = EXPLICIT,
+    method: str = AUTO,
     rtol: float = RTOL,
     atol: float | None = None,
 ) -> Stepper:
@@ -279,7 +346,9 @@ def stepper(
     start : State, optional
         The initial state by default.
     method : str
-        DOP853; Radau for stiff models whose motion is smooth; generalized-alpha for stiff models with contacts.
+        auto: DOP853 or Radau, whichever takes fewer evaluations for one of the steps taken so far, compared again each
+        time the number of steps of the integrator has doubled; generalized-alpha if a degree of freedom has no inertia,
+        or there are very many.  DOP853, Radau and generalized-alpha stay.
     rtol, atol : float
         Tolerances; see `simulate`.
 

@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import numpy as np
 
-from flexel.base.arrays import Array
+from flexel.base.arrays import Array, Index
 from flexel.base.quaternions import matrix, product
 from flexel.engine.rotations import LISTS, Rotations
 from flexel.engine.structs import Struct
 from flexel.generated._kernels import ffi
 
-# Change of what acts on a frame, relative to the matrix of a step, from which axes are chosen: the rate of convergence from
-# which the Jacobian is evaluated again, see radau.c.  The part of it that must be left along the other axes.  And how much
-# faster it must be than the frame turns: a body without forces is integrated most exactly along its own axes.
+# Change of what acts on a frame, relative to the matrix of a step, from which axes are chosen: the rate of convergence
+# from which the Jacobian is evaluated again, see radau.c.  The part of it that must be left along the other axes.  How
+# much faster it must be than the frame turns: a body without forces is integrated most exactly along its own axes.
 CHANGED, STEADIER, FAST = 1e-3, 0.5, 10.0
 
 
@@ -60,7 +60,7 @@ class Turns(Struct):
         self._acting[:] = before._acting[:, order]
 
     def acting_in(self, J: Array) -> Array:
-        """Return what acts on the frames, along their axes at the start of a step: see `steadier`; from the Jacobian."""
+        """Return what acts on the frames, along their axes, from the Jacobian at the start of a step."""
         dof = self.rotations.dof
         rate = self.rotations.nq + dof
         found = np.array([J[rate[:, :, None], columns[:, None, :]] for columns in (rate, dof)])
@@ -68,12 +68,12 @@ class Turns(Struct):
         return np.asarray(R.transpose(0, 2, 1) @ found @ R)
 
     def spinning(self) -> Array:
-        """Return E (count, 3, 4) of the angular velocities w = 2 E L' along the axes of the frames, at a start of a step."""
+        """Return E (count, 3, 4) of angular velocities w = 2 E L' along the axes of the frames, at their start."""
         L0, L1, L2, L3 = self.start.T
         rows = ((-L1, L0, L3, -L2), (-L2, -L3, L0, L1), (-L3, L2, -L1, L0))
         return np.array(rows).transpose(2, 0, 1)
 
-    def steadier(self, acting: Array, h: float) -> Array:
+    def steadier(self, acting: Array, h: float) -> Index:
         """Return the numbers of the frames for which what acts on them has changed less along the other axes.
 
         Parameters

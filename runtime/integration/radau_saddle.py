@@ -122,7 +122,9 @@ class SaddleFactors(Struct):
             for values in (self._M, self._D, self._K)
         )
         inertia = np.trace(M, axis1=1, axis2=2)[:, None, None] / 3
-        return np.divide([D, K], inertia, out=np.zeros((2, *K.shape)), where=inertia > 0)
+        found = np.zeros((2, *K.shape))
+        np.divide([D, K], inertia, out=found, where=inertia > 0)
+        return found
 
 
 def _entries(kinematics: Kinematics) -> tuple[Entries, Entries]:

@@ -73,6 +73,55 @@ def test_what_was_saved_is_restored(method: str) -> None:
     assert stepper.reset() == pytest.approx([1.0], abs=1e-15) and stepper.t == 0.0
 
 
+def chain(stiffness: float) -> fx.System:
+    """Two damped springs in a row that carry a light mass and a heavy one, free to swing in the plane."""
+    m = fx.Model(gravity=(0, -9.81))
+    ends = [m.point("O", (0, 0), fixed=True), m.point("A", (1, 0)), m.point("B", (2, 0))]
+    for i in (0, 1):
+        m.truss(f"spring {i}", ends[i], ends[i + 1], stiffness=stiffness, damping=1e-4 * stiffness)
+        m.point_mass(f"mass {i}", ends[i + 1], (0.01, 1.0)[i])
+    return m.build()
+
+
+def test_a_stiff_system_goes_on_with_radau_by_default() -> None:
+    """From the second step on, in which DOP853 would take 560 steps; where it was is in what is saved."""
+    stiff = chain(1e7)
+    stepper, radau = (
+        stiff.stepper(0.01, inputs=["B.x"], outputs=["B.x"], **kind) for kind in ({}, {"method": "Radau"})
+    )
+    assert stepper.method == "DOP853"
+    for i in range(40):
+        found, wanted = (one.step([np.sin(0.05 * i)]) for one in (stepper, radau))
+    assert stepper.method == "Radau" and "Radau" in repr(stepper)
+    assert found == pytest.approx(wanted, abs=1e-6)
+    saved = pickle.loads(pickle.dumps(stepper.save()))
+    once = [float(stepper.step()[0]) for _ in range(5)]
+    again = stiff.stepper(0.01, inputs=["B.x"], outputs=["B.x"])
+    again.restore(saved)
+    assert again.method == "Radau" and [float(again.step()[0]) for _ in range(5)] == pytest.approx(
+        once, abs=1e-7
+    )
+    stepper.reset()
+    assert stepper.method == "DOP853"
+
+
+def test_other_systems_stay_with_dop853_or_have_generalized_alpha_by_default() -> None:
+    stepper = chain(1e3).stepper(0.01, inputs=["B.x"])
+    for _ in range(600):
+        stepper.step()
+    assert stepper.method == "DOP853"
+    m = fx.Model()
+    m.truss(
+        "spring", m.point("O", (0.0, 0.0), fixed=True), m.point("P", (1.0, 0.0)), stiffness=10.0, damping=1.0
+    )
+    m.truss("next", "P", m.point("Q", (2.0, 0.0)), stiffness=10.0)
+    m.point_mass("mass", "Q", 1.0)
+    m.fix("P.y", "Q.y")
+    without_inertia = m.build().stepper(0.1, inputs=["Q.x"], outputs=["Q.x"])
+    without_inertia.step([1.0])
+    assert without_inertia.method == "generalized-alpha"
+
+
 def test_inputs_by_name_stay() -> None:
     stepper = arm().stepper(0.1, inputs=["motor.angle", "tip.x"])
     stepper["motor.angle"] = 9.81

@@ -193,7 +193,7 @@ def test_a_shaft_of_beams_that_spins() -> None:
 
 
 def started(system: fx.System, state: State, in_space: bool) -> Collocation:
-    """Steps that start at a state, with their Jacobian; vectors of orientations along axes of space or of the frames."""
+    """Steps that start at a state, with their Jacobian; rotations along axes of space or of the frames."""
     kinematics, now = system.kinematics_of(state.roles), Snapshot.of(state)
     y = Choices(system, kinematics, True).values(now, state.z)
     steps = Collocation(kinematics, 1e-6, np.full(y.size, 1e-8))
