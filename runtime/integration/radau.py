@@ -172,7 +172,8 @@ class Radau(StepMethod):
                 steps.look(jacobian(course.kinematics, course.now, course.z))
             else:
                 steps.saddle.look(course.kinematics, course.now, course.z)
-                steps.choose_axes(steps.saddle.acting())
+                if steps.turns.rotations.count:
+                    steps.choose_axes(steps.saddle.acting())
             self._no_slope = None
         except TangentError as error:
             self._no_slope = error

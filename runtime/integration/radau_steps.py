@@ -245,7 +245,7 @@ class Collocation(Struct):
         """Take the Jacobian of the start of the step, of y in Euler parameters."""
         turns = self.turns
         J = turns.jacobian(A, self.y, self.f)
-        if self.choose_axes(turns.acting_in(J)):
+        if turns.rotations.count and self.choose_axes(turns.acting_in(J)):
             J = turns.jacobian(A, self.y, self.f)
         self.J[:] = self.angles.jacobian(J, self.y, self.f)
 
