@@ -21,10 +21,11 @@ from flexel.engine.step_control import StepControl
 from flexel.integration.account import of_dop853
 from flexel.integration.attempts import Attempted
 from flexel.integration.dense import Allowed, Interpolant
-from flexel.integration.dop853_row import ENDED, TRIED, Place, Row
+from flexel.integration.dop853_row import ENDED, TRIED, Row
 from flexel.integration.dop853_stages import B
 from flexel.integration.dop853_steps import Steps
 from flexel.integration.flat import crossing_step, flat_position
+from flexel.integration.in_row import Looks, Place
 from flexel.integration.step_method import RESOLUTION, Found, InRow, StepMethod, Tolerances
 from flexel.model.snapshot import Snapshot
 from flexel.model.structure import Structure
@@ -312,8 +313,8 @@ class Dop853(StepMethod):
         if row is None or row.steps is not steps or row.times is not course.times:
             row = self._row = self._new_row()
         before = steps.struct.evaluations
-        place = Place(course.now, self.h, course.amplification, allowed, course.stored)
-        found = row.take(place, course.stop, most, course.z.size, course.knots.interval)
+        place = Place(course.t, course.stop, course.amplification, allowed, most)
+        found = row.take(place, course.now, self.h, course.stored, course.z.size, course.knots.interval)
         r = row.struct
         self.h, self._to, self._code = float(r.h), float(r.to), int(r.code)
         self.tried = self._resumes = row.ended == TRIED
@@ -329,9 +330,8 @@ class Dop853(StepMethod):
 
     def _new_row(self) -> Row:
         course = self.course
-        row = Row(
-            self.steps, course.touching.look, course.dips, course.times, course.tolerances, course.least
-        )
+        looks = Looks(course.touching.look, course.dips, course.least)
+        row = Row(self.steps, looks, course.times, course.tolerances)
         self.give_rules(row.struct.rules)
         return row
 

@@ -21,6 +21,7 @@ from flexel.model.snapshot import Snapshot
 A, B, C = (np.ascontiguousarray(z, dtype=float) for z in (tableau.A[:12, :12], tableau.B, tableau.C[:12]))
 E3, E5 = (np.ascontiguousarray(z, dtype=float) for z in (tableau.E3, tableau.E5))
 TIMES = np.append(C, 1.0)  # of the stages and the end
+AHEAD: list[float] = TIMES[1:-1].tolist()
 TABLEAU = {"A": A, "B": B, "C": C, "E3": E3, "E5": E5}
 
 
@@ -89,7 +90,15 @@ class Stages(Struct):
     def give_stages(self, interval: Interval, t: float, h: float) -> None:
         """Set prescribed motions and loads at the stages of a step, in an interval where these are smooth."""
         if self._given.size:
-            give(self.kinematics, interval, self.given_stages, [t + part * h for part in TIMES[1:]])
+            given = self.given_stages
+            give(self.kinematics, interval, given[:-1], [t + part * h for part in AHEAD])
+            given[-1] = given[-2]  # the last stage is at the end
+
+    @property
+    def varies(self) -> bool:
+        """Whether prescribed motions or loads vary with time."""
+        loads = self.kinematics.loads
+        return bool(self.kinematics.roles.motions) or (loads.any and not loads.steady)
 
     @property
     def _structs(self) -> tuple[Any, Any, Any]:

@@ -26,9 +26,11 @@ def give(kinematics: Kinematics, interval: Interval, given: Array, times: Sequen
     varying = loads.any and not loads.steady
     if loads.any and loads.steady:
         given[:, split:] = loads.values(interval.inside(times[0]))
-    for row, t in zip(given, times, strict=True) if motions or varying else ():
+    if not motions and not varying:
+        return
+    rows = []  # lists: small arrays would cost more than most functions
+    for t in times:
         inside = interval.inside(t)
-        if motions:
-            row[:split] = kinematics.roles.motion(inside).ravel()
-        if varying:
-            row[split:] = loads.values(inside)
+        row = [part for order in zip(*[f.rates(inside) for f in motions], strict=True) for part in order]
+        rows.append(row + loads.listed(inside) if varying else row)
+    given[:, 0 if motions else split : None if varying else split] = rows

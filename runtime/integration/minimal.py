@@ -241,9 +241,7 @@ class MinimalRun(DenseRun):
     @cached_property
     def _in_rows(self) -> bool:
         """Whether nothing is asked of the user's functions in a step."""
-        own = self.kinematics
-        asks = self.events or self._at_once or own.roles.motions or not own.loads.constant or self._scales.any
-        return not asks
+        return not (self.events or self._at_once or self._scales.any)
 
     def allowed(self, factor: float = WORSE) -> float:
         """Return the amplification up to which degrees of freedom that are better by a factor are not looked for."""

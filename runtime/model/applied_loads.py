@@ -69,7 +69,11 @@ class Loads:
 
     def values(self, t: float) -> Array:
         """Return the loads (loads,) at time t."""
-        return np.array([value_of(f, t) for f in self._functions])
+        return np.array(self.listed(t))
+
+    def listed(self, t: float) -> list[float]:
+        """Return the loads at time t as a list."""
+        return [value_of(f, t) for f in self._functions]
 
     def at(self, t: float) -> tuple[Array, Array]:
         """Return nodal forces f (n,) and applied stresses (m + k,) at time t."""

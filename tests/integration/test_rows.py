@@ -125,7 +125,8 @@ def test_there_is_room_for_one_step_of_a_large_model(monkeypatch: pytest.MonkeyP
     """Where a step needs all the room, rows have one step, and the motion is the same."""
     own = double_pendulum()
     motion = moved(own, 201)
-    monkeypatch.setattr("flexel.integration.dop853_row.ROOM", 1)
+    for module in ("in_row", "dop853_row"):
+        monkeypatch.setattr(f"flexel.integration.{module}.ROOM", 1)
     rows = counted(monkeypatch)
     small = moved(own, 201)
     assert max(rows) == 1
