@@ -71,10 +71,13 @@ class Angles(Struct):
     @property
     def charts(self) -> Array:
         """What the angles of a step are, (angles, 3): number in y, Euler parameter and slope at its start."""
+        return self.charts_of(self._start[np.arange(self.count), self._part], self.slope)
+
+    def charts_of(self, q: Array, slope: Array) -> Array:
+        """Return the same for the Euler parameters q (count,) at the start of a step, and their slopes."""
         if not self.count:
             return NO_CHARTS
-        q = self._start[np.arange(self.count), self._part]
-        return np.asarray(np.column_stack([self.dof, q, self.slope])[self.slope != 0])
+        return np.asarray(np.column_stack([self.dof, q, slope])[slope != 0])
 
     def take_over(self, before: Angles) -> None:
         """Keep what is known of frames that both have."""

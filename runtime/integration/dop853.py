@@ -317,7 +317,7 @@ class Dop853(StepMethod):
         found = row.take(place, course.now, self.h, course.stored, course.z.size, course.knots.interval)
         r = row.struct
         self.h, self._to, self._code = float(r.h), float(r.to), int(r.code)
-        self.tried = self._resumes = row.ended == TRIED
+        self.tried = self._resumes = self.unusual = row.ended == TRIED
         counts["evaluations"] += steps.struct.evaluations - before
         counts["rejected"] += int(r.refused + r.tries * (row.ended != ENDED))
         return found

@@ -49,6 +49,8 @@ LONGEST_PAUSE = 1024  # steps without another trial to cross a flat position
 PROMISED = 10.0  # tolerances that rounding errors of coordinates may have without a warning
 FAR = 10.0  # distance from the origin, in natural scales, to which rounding errors are attributed
 PAUSE = 0.1  # time [s] for which an interrupt, or the progress bar, may wait for steps in a row
+SHORT_ROW = 4  # steps of a row, up to an unusual one, that are not worth a row
+MOST_ALONE = 63  # steps at most that are taken one by one then, before the next row is tried
 SINGULAR = 1e6  # amplification of the best choice above which the position is singular
 
 
@@ -104,6 +106,9 @@ class MinimalRun(DenseRun):
         self.touching = TouchingContacts(tables, every_gap(tables), self.passed)
         self._pause, self._next_crossing = 1, 0  # steps
         self._patient = 1  # steps in a row that take about PAUSE
+        self._unusual = self._alone = (
+            0  # steps that are taken alone after the last short row, and what is left of them
+        )
         self.covered = self._scale(kind)
         self.method: StepMethod = kind(self)
 
@@ -202,11 +207,14 @@ class MinimalRun(DenseRun):
 
     def several(self, most: int) -> str | None:
         """Take one or more accepted steps, at most so many."""
-        if most == 1 or not (self.method.rows and self._in_rows):
+        if most == 1 or self._alone or not (self.method.rows and self._in_rows):
+            self._alone = max(0, self._alone - 1)
             return super().several(most)
         begun = perf_counter()
         row = self.method.row(min(most, self._patient), self.allowed())
-        tried, stored = self.method.tried, self.stored
+        tried, stored, short = self.method.tried, self.stored, len(row) < SHORT_ROW
+        self._unusual = min(2 * self._unusual + 1, MOST_ALONE) if self.method.unusual and short else 0
+        self._alone = self._unusual
         for step in row:
             self._accept_in_row(step)
         if row:

@@ -7,6 +7,7 @@ the iteration converges.
 from __future__ import annotations
 
 import logging
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -19,10 +20,12 @@ from flexel.engine.step_control import StepControl
 from flexel.generated._kernels import lib
 from flexel.integration.account import of_radau
 from flexel.integration.attempts import Attempted
+from flexel.integration.in_row import Looks, Place
 from flexel.integration.jacobian import jacobian
+from flexel.integration.radau_row import RadauRow
 from flexel.integration.radau_saddle import SaddleFactors, sparse
 from flexel.integration.radau_steps import FINEST, Collocation, estimated
-from flexel.integration.step_method import Found, StepMethod, Tolerances
+from flexel.integration.step_method import Found, InRow, StepMethod, Tolerances
 from flexel.model.snapshot import Snapshot
 from flexel.model.structure import Structure
 
@@ -46,6 +49,8 @@ class Radau(StepMethod):
     _no_slope: TangentError | None = None
     _code = 0  # of what failed in it, or zero
     _wished = 0.0  # length of the first trial [s]
+    _row: RadauRow | None = None
+    rows = True
 
     @classmethod
     def scale(cls, structure: Structure, weight: Array, given: Tolerances) -> Covered:
@@ -111,10 +116,9 @@ class Radau(StepMethod):
         c.enlarged = max(1.0, course.amplification / max(1.0, course.choices.best))
         before = c.evaluations, c.refused
         self._code = steps.step()
-        course.counts["evaluations"] += c.evaluations - before[0]
-        course.counts["rejected"] += c.refused - before[1]
+        self._count(before)
         if self._code == lib.FLEXEL_RADAU_JACOBIAN:
-            self._evaluate_jacobian()
+            self._evaluate_jacobian(course.now, course.z)
             return Attempted.AGAIN
         if self._code == lib.FLEXEL_RADAU_SHORT:
             return Attempted.SHORT
@@ -125,6 +129,31 @@ class Radau(StepMethod):
         )
         course.counts["rejected"] += 1
         return Attempted.UNUSABLE
+
+    def _count(self, before: tuple[int, int]) -> None:
+        """Count evaluations and refused steps, since there were so many."""
+        c, counts = self.steps.struct, self.course.counts
+        counts["evaluations"] += c.evaluations - before[0]
+        counts["rejected"] += c.refused - before[1]
+
+    def row(self, most: int, allowed: float) -> Sequence[InRow]:
+        """Take up to `most` steps in a row, from the present point; see `StepMethod.row`.
+
+        The trial of an unusual one is made anew: states that are stored up to there are found in the same workspace, and
+        the motion must not depend on them.
+        """
+        course, steps, c = self.course, self.steps, self.steps.struct
+        row = self._row
+        if row is None or row.steps is not steps:
+            row = self._row = RadauRow(steps, Looks(course.touching.look, course.dips, course.least))
+        before, c.longest = (c.evaluations, c.refused), course.tolerances.max_step
+        place = Place(course.t, course.stop, course.amplification, allowed, most)
+        found = row.take(place, course.now, course.choices.best, course.z.size, self._evaluate_jacobian)
+        self.unusual = row.unusual
+        self._count(before)
+        if found:
+            self._failed = None
+        return found
 
     def refuse(self, changed: bool) -> Attempted:
         """Prepare a shorter step."""
@@ -164,14 +193,14 @@ class Radau(StepMethod):
             c.h = max(c.h, self._wished)
         return Found(dense, dense.end[dense.end.size - course.z.size :].copy())
 
-    def _evaluate_jacobian(self) -> None:
-        """The Jacobian at the start; where a law has no slope, the last one serves, with shorter steps if need be."""
+    def _evaluate_jacobian(self, now: Snapshot, z: Array) -> None:
+        """The Jacobian at the start of a step; where a law has no slope, the last one serves, with shorter steps."""
         course, steps = self.course, self.steps
         try:
             if steps.saddle is None:
-                steps.look(jacobian(course.kinematics, course.now, course.z))
+                steps.look(jacobian(course.kinematics, now, z))
             else:
-                steps.saddle.look(course.kinematics, course.now, course.z)
+                steps.saddle.look(course.kinematics, now, z)
                 if steps.turns.rotations.count:
                     steps.choose_axes(steps.saddle.acting())
             self._no_slope = None

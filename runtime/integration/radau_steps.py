@@ -34,6 +34,7 @@ from flexel.integration.step_method import MINOR, natural_scales_of_y
 from flexel.mechanics.kinematics import Kinematics
 from flexel.model.snapshot import Snapshot
 
+PLACES: list[float] = NODES.tolist()
 POWERS = np.arange(1, 5)
 TIGHT = 0.25  # the program RADAU5 has 0.1 rtol^(2/3), which is the same at 1e-3 and looser below
 LOOSEST = 0.03  # tolerance of the iteration, relative to that of the estimate
@@ -238,8 +239,17 @@ class Collocation(Struct):
             code = int(lib.flexel_radau_step(*self._structs))
             if code != lib.FLEXEL_RADAU_INPUTS:
                 return code
-            c = self.struct
-            give(self.kinematics, self._knots.interval, self._given[:3], [c.t + part * c.h for part in NODES])
+            self.give_stages()
+
+    def give_stages(self) -> None:
+        """Set prescribed motions and loads at the stages of the trial that waits for them."""
+        c = self.struct
+        give(self.kinematics, self._knots.interval, self._given[:3], [c.t + part * c.h for part in PLACES])
+
+    @property
+    def now(self) -> Snapshot:
+        """The start of the step."""
+        return Snapshot(self.struct.t, self.x.copy(), self.v.copy(), self.e.copy(), self.ed.copy())
 
     def look(self, A: Array) -> None:
         """Take the Jacobian of the start of the step, of y in Euler parameters."""

@@ -210,6 +210,7 @@ class StepMethod(Attempts):
     quadrature: ClassVar[Quadrature]
     control: ClassVar[StepControl]
     rows = False  # whether it takes steps in a row
+    unusual = False  # whether the last row has come to a step that is to be taken alone
     tried = False  # whether the workspace holds a trial of the next step, that was made at the end of a row
     flat = -np.inf  # time [s] of a flat position at which steps were refused
 

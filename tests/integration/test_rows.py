@@ -1,4 +1,4 @@
-"""Steps of DOP853 that are taken in a row in C are those that are taken one by one, to the last digit."""
+"""Steps that are taken in a row in C are those that are taken one by one, to the last digit."""
 
 from collections.abc import Callable
 
@@ -9,7 +9,8 @@ import flexel as fx
 from flexel.examples.bicycle import bicycle, rolling
 from flexel.integration.dop853 import Dop853
 from flexel.integration.driver import LOOK_EVERY, Run
-from flexel.integration.step_method import InRow
+from flexel.integration.radau import Radau
+from flexel.integration.step_method import InRow, StepMethod
 from flexel.integration.watch import LOOK
 from flexel.integration.watchdog import FIRST, WINDOW
 
@@ -62,33 +63,60 @@ def thrown() -> Model:
     return system, system.initial
 
 
-def moved(model: Model, samples: int) -> fx.Motion:
-    """Move a model by DOP853."""
+def driven() -> Model:
+    """A crank turns as a table says, and a load grows; there are knots."""
+    m = fx.Model(gravity=(0, -9.81))
+    m.point("O", (0, 0), fixed=True)
+    m.angle("ground", fixed=True)
+    m.hinge("motor", "ground", m.angle("crank"))
+    m.beam("rod", "O", "crank", m.point("A", (1, 0)), mass_per_length=1.0)
+    m.truss("rope", "A", m.point("B", (1, -1)), stiffness=500.0, damping=2.0)
+    m.point_mass("mass", "B", 1.0)
+    times = np.linspace(0, SECONDS, 9)
+    m.prescribe("motor.angle", fx.Table(times, np.sin(times)))
+    m.load("B.x", fx.Ramp(0.5, 1.7, 0.0, 3.0))
+    system = m.build()
+    return system, system.initial
+
+
+def shaken() -> Model:
+    """A stiff chain by Radau, and laws with internal states."""
+    m = fx.Model(gravity=(0, -9.81))
+    ends = [m.point("O", (0, 0), fixed=True), m.point("A", (1, 0)), m.point("B", (2, 0.1))]
+    for i in (0, 1):
+        m.truss(f"spring {i}", ends[i], ends[i + 1], stiffness=1e5, damping=100.0)
+        m.point_mass(f"mass {i}", ends[i + 1], (0.01, 1.0)[i])
+    system = m.build()
+    return system, system.initial
+
+
+def moved(model: Model, samples: int, method: str = "DOP853") -> fx.Motion:
+    """Move a model."""
     system, start = model
-    return system.simulate(SECONDS, start=start, method="DOP853", samples=samples)
+    return system.simulate(SECONDS, start=start, method=method, samples=samples)
 
 
-def counted(monkeypatch: pytest.MonkeyPatch) -> list[int]:
+def counted(monkeypatch: pytest.MonkeyPatch, kind: type[StepMethod] = Dop853) -> list[int]:
     """Return a list to which the lengths of rows are added."""
     found: list[int] = []
-    own = Dop853.row
+    own = kind.row
 
-    def row(method: Dop853, most: int, allowed: float) -> list[InRow]:
+    def row(method: StepMethod, most: int, allowed: float) -> list[InRow]:
         steps = list(own(method, most, allowed))
         found.append(len(steps))
         return steps
 
-    monkeypatch.setattr(Dop853, "row", row)
+    monkeypatch.setattr(kind, "row", row)
     return found
 
 
-def one_by_one(method: Dop853, most: int, allowed: float) -> list[InRow]:
+def one_by_one(method: StepMethod, most: int, allowed: float) -> list[InRow]:
     """Take no steps in a row."""
     return []
 
 
 @pytest.mark.parametrize("samples", [2, 201])
-@pytest.mark.parametrize("model", [double_pendulum, bouncing, rolling_bicycle, thrown])
+@pytest.mark.parametrize("model", [double_pendulum, bouncing, rolling_bicycle, thrown, driven])
 def test_steps_in_a_row_are_those_taken_one_by_one(
     model: Callable[[], Model], samples: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -103,6 +131,26 @@ def test_steps_in_a_row_are_those_taken_one_by_one(
     for t in np.linspace(0.0, SECONDS, 41).tolist():
         np.testing.assert_array_equal(motion.at(t).x, alone.at(t).x)
         np.testing.assert_array_equal(motion.at(t).v, alone.at(t).v)
+
+
+@pytest.mark.parametrize("model", [bouncing, driven, shaken, thrown])
+def test_steps_of_radau_in_a_row_are_those_taken_one_by_one(
+    model: Callable[[], Model], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """To the last digit while no trial of a row is made anew; then to rounding, whatever is stored."""
+    own = model()
+    rows = counted(monkeypatch, Radau)
+    motion = moved(own, 201, "Radau")
+    few = moved(own, 2, "Radau")
+    np.testing.assert_array_equal(few[-1].x, motion[-1].x)
+    assert sum(rows) > (1.0 if model is not thrown else 0.3) * motion.statistics["steps"]
+    monkeypatch.setattr(Radau, "row", one_by_one)
+    alone = moved(own, 201, "Radau")
+    assert motion.statistics["steps"] == alone.statistics["steps"]
+    assert motion.verdict == alone.verdict
+    for t in np.linspace(0.0, SECONDS, 41).tolist():
+        np.testing.assert_allclose(motion.at(t).x, alone.at(t).x, rtol=0, atol=1e-10)
+        np.testing.assert_allclose(motion.at(t).v, alone.at(t).v, rtol=0, atol=1e-9)
 
 
 def test_a_row_ends_where_a_motion_is_looked_at(monkeypatch: pytest.MonkeyPatch) -> None:
