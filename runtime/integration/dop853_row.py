@@ -86,7 +86,9 @@ class Row(Struct):
             try:
                 self.steps.give_stages(interval, r.t, r.to - r.t)
             except FlexelError:
-                return ENDED  # the steps so far are kept; the next one is tried alone, and raises it again
+                return int(
+                    ENDED
+                )  # the steps so far are kept; the next one is tried alone, and raises it again
         return ended
 
     def _found(

@@ -21,7 +21,7 @@ from flexel.model.snapshot import Snapshot
 A, B, C = (np.ascontiguousarray(z, dtype=float) for z in (tableau.A[:12, :12], tableau.B, tableau.C[:12]))
 E3, E5 = (np.ascontiguousarray(z, dtype=float) for z in (tableau.E3, tableau.E5))
 TIMES = np.append(C, 1.0)  # of the stages and the end
-AHEAD: list[float] = TIMES[1:-1].tolist()
+LATER_STAGES: list[float] = TIMES[1:-1].tolist()
 TABLEAU = {"A": A, "B": B, "C": C, "E3": E3, "E5": E5}
 
 
@@ -91,7 +91,7 @@ class Stages(Struct):
         """Set prescribed motions and loads at the stages of a step, in an interval where these are smooth."""
         if self._given.size:
             given = self.given_stages
-            give(self.kinematics, interval, given[:-1], [t + part * h for part in AHEAD])
+            give(self.kinematics, interval, given[:-1], [t + part * h for part in LATER_STAGES])
             given[-1] = given[-2]  # the last stage is at the end
 
     @property

@@ -139,8 +139,8 @@ class Radau(StepMethod):
     def row(self, most: int, allowed: float) -> Sequence[InRow]:
         """Take up to `most` steps in a row, from the present point; see `StepMethod.row`.
 
-        The trial of an unusual one is made anew: states that are stored up to there are found in the same workspace, and
-        the motion must not depend on them.
+        The trial of an unusual one is made anew: states that are stored up to there are found in the same workspace,
+        and the motion must not depend on them.
         """
         course, steps, c = self.course, self.steps, self.steps.struct
         row = self._row
