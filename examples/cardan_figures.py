@@ -119,7 +119,7 @@ def kinematics(results: CardanResults, path: Path) -> None:
 def moments(results: CardanResults, path: Path) -> None:
     """Plot driving moment and moments in the bearings, per unit of torque on the driven shaft."""
     turn = results.turns[30.0]
-    curves = (-turn.force("in.angle"), bearing_moment(turn, "in"), bearing_moment(turn, "out"))
+    curves = (turn.drive("in.angle"), bearing_moment(turn, "in"), bearing_moment(turn, "out"))
     with figure(size=(8.0, 4.4)) as (drawn, axes):
         for j, ((name, exact), y) in enumerate(zip(closed_moments(turn.t, B30).items(), curves, strict=True)):
             label = "driving moment" if j == 0 else f"bending moment, {name} of its shaft"

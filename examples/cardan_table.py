@@ -37,7 +37,7 @@ def motion(results: CardanResults) -> list[Quantity]:
         found = turn["out.angle"], turn.rate("out.angle"), turn.acceleration("out.angle")
         off = [float(np.abs(x - y).max()) for x, y in zip(found, closed_form(turn.t, b), strict=True)]
         angle, ratio, second = max(angle, off[0]), max(ratio, off[1]), max(second, off[2])
-        forces = (-turn.force("in.angle"), bearing_moment(turn, "in"), bearing_moment(turn, "out"))
+        forces = (turn.drive("in.angle"), bearing_moment(turn, "in"), bearing_moment(turn, "out"))
         for (name, expected), force in zip(closed_moments(turn.t, b).items(), forces, strict=True):
             moments[name] = max(moments[name], float(np.abs(force - expected).max()))
     more = {"angles": list(ANGLES)}

@@ -157,7 +157,7 @@ def rows(found: CylinderResults) -> list[Quantity]:
         largest = float(np.abs(computed - closed).max())
         return Quantity(name, largest, 0.0, tolerance, unit, source, kind="closed form", reason=ROUNDING)
 
-    push = -motion.force("cylinder.elongation")
+    push = motion.drive("cylinder.elongation")
     first = -GRAVITY * MOMENT * float(np.cos(angle(FREE))) / INERTIA
     return [
         worst("angle_max_error", motion["hinge.angle"], phi, "rad", cosines, 1e-12),

@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import travellers
+from mistakes import pendulum
 from spacar_binary import ltv
 from valid_call import Valid, calling
 from valid_systems import driven, leaf, rod
@@ -20,6 +21,14 @@ DATA = Path(__file__).parent / "data"
 def swing() -> fx.Motion:
     """A short motion of the rod."""
     return rod().simulate(0.1, samples=4, method="DOP853")
+
+
+@cache
+def turned() -> fx.Motion:
+    """A short motion of the rod, which a motor turns."""
+    m = pendulum()
+    m.prescribe("pivot.angle", fx.Polynomial([0.0, 1.0]))
+    return m.build().simulate(0.1, samples=3)
 
 
 @cache
@@ -125,6 +134,7 @@ RESULTS: dict[str, Callable[[], Valid]] = {
     "Motion.page": lambda: calling(swing().page),
     "Motion.at": lambda: calling(swing().at, t=0.05),
     "Motion.force": of_motion("force", "pivot.angle"),
+    "Motion.drive": lambda: calling(turned().drive, name="pivot.angle"),
     "Motion.nearest": lambda: calling(swing().nearest, t=0.05),
     "Motion.plot": lambda: calling(swing().plot, names=("A.x",), path=Path("plot.png")),
     "Motion.plot_phase": lambda: calling(swing().plot_phase, x="A.x", y="A.z", path=Path("phase.png")),

@@ -60,6 +60,7 @@ MASS = {"rod.rhoA": [1.0, 2.0]}
 SYSTEMS: dict[str, Callable[[], Valid]] = {
     "State.acceleration": lambda: calling(rod().initial.acceleration, name="A.x"),
     "State.force": lambda: calling(rod().initial.force, name="pivot.angle"),
+    "State.drive": lambda: calling(rod().equilibrium(hold=["pivot.angle"]).drive, name="pivot.angle"),
     "State.outputs": lambda: calling(leaf().initial.outputs, element="leaf"),
     "State.position": lambda: calling(rod().initial.position, node="A"),
     "State.rate": lambda: calling(rod().initial.rate, name="A.x"),

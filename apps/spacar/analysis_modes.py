@@ -88,7 +88,7 @@ def _inverse(file: Spacar) -> Analysis:
         )
     motion = _simulated(file)
     driven = [file.system.structure.names[i] for i in file.system.roles.prescribed]
-    lines = ["driving forces at the end", *(f"  {name}: {-motion[-1].force(name): .9e}" for name in driven)]
+    lines = ["driving forces at the end", *(f"  {name}: {motion[-1].drive(name): .9e}" for name in driven)]
     lines = [*state_lines(file, motion[-1]), *lines]
     return Analysis(lines, _histories(file, motion, motion.t), motion, list(motion))
 

@@ -67,7 +67,7 @@ def equilibrium(
         default.
     hold : sequence of str
         Coordinates and deformations held at their values in `start` by the necessary forces
-        (``state.force(name)``), such as sheaves that would otherwise turn freely.
+        (``state.drive(name)``), such as sheaves that would otherwise turn freely.
     stable : bool
         Accept stable equilibria only: descend further from an unstable one.
 

@@ -136,6 +136,9 @@ def _packed(states: Sequence[State], dim: str, choices: _Choices) -> dict[str, V
         "force": [np.concatenate([state.stresses, state.reactions]) for state in states],
     }
     found = {"time": Variable((dim,), np.array([state.t for state in states]), "s", "time")}
+    given = [_given(state) for state in states]
+    if any(map(np.any, given)):
+        tables["given"] = given
     found |= {name: Variable((dim, "quantity"), np.array(rows)) for name, rows in tables.items()}
     energies = np.array([[getattr(state.energy, name) for name in ENERGIES] for state in states])
     found["energy"] = Variable((dim, "energy_kind"), energies, "J")
@@ -152,6 +155,16 @@ def _packed(states: Sequence[State], dim: str, choices: _Choices) -> dict[str, V
     found["choice"] = Variable(
         (dim,), numbers, "", "index of the choice of degrees of freedom that describes the state"
     )
+    return found
+
+
+def _given(state: State) -> Array:
+    """Return what laws and loads give (m + k + n,) of the stresses of driven deformations; zero for others."""
+    roles, first = state.roles, state.given.size
+    found = np.zeros(state.rates.size)
+    driven = np.concatenate([roles.prescribed, roles.forces[roles.rigid.size :]])
+    own = driven[driven < first]
+    found[own] = state.given[own]
     return found
 
 
@@ -202,6 +215,7 @@ def _unpacked(structure: Structure, roles: Sequence[Roles], arrays: Mapping[str,
     value, rate, acceleration, force = (arrays[name] for name in TABLES)
     none = np.zeros((len(arrays["time"]), 0))
     z, zd = (arrays.get(name, none) for name in ("internal", "internal_rate"))
+    given = arrays.get("given", np.zeros_like(force))
     return [
         State(
             t=float(t),
@@ -211,6 +225,7 @@ def _unpacked(structure: Structure, roles: Sequence[Roles], arrays: Mapping[str,
             e=value[i, :m],
             evaluation=geometry,
             stresses=force[i, :first],
+            given=given[i, :first],
             reactions=force[i, first:],
             roles=roles[int(arrays["choice"][i])],
             energy=Energy(*map(float, arrays["energy"][i])),

@@ -116,8 +116,13 @@ def _part(arrays: Mapping[str, Any], part: str) -> dict[str, Any]:
 def _state(structure: Structure, header: Mapping[str, Any], arrays: Mapping[str, Any]) -> State:
     energy = Energy(*header["energy"])
     roles = roles_from(structure, {key: header["roles"][key] for key in ROLES})
+    given = {"given": np.zeros_like(arrays["stresses"])}  # of a file without it
     return State(
-        **arrays, **header["state"], energy=energy, roles=roles, evaluation=StoredGeometry(structure)
+        **(given | dict(arrays)),
+        **header["state"],
+        energy=energy,
+        roles=roles,
+        evaluation=StoredGeometry(structure),
     )
 
 

@@ -95,6 +95,7 @@ def _state(layout: _Layout, record: dict[str, Array], t: float) -> State:
         e=e,
         rates=np.concatenate([ed, v]),
         stresses=stresses,
+        given=np.zeros_like(stresses),
         reactions=reactions,
         roles=layout.roles,
         evaluation=StoredGeometry(s),

@@ -113,10 +113,7 @@ class Saddle:
 
     def multipliers(self, state: State) -> Array:
         """Return the multipliers of the constraints at a state: stresses less those of laws and loads."""
-        work = self.system.evaluation.at(state.t, state.x, state.v, None, state.z, state.e)
-        work.laws()
-        applied = self.system.loads.at(state.t)[1]
-        both = np.concatenate([state.stresses - work.law_stress - applied, -state.reactions])
+        both = np.concatenate([state.stresses - state.given, -state.reactions])
         return np.asarray(both[self.force_rows])
 
     def given(self, t: float) -> None:
@@ -207,10 +204,11 @@ class Saddle:
         work.laws()
         work.inertia()
         work.convective()
-        stresses, reactions = work.law_stress + loads.at(b.t)[1], np.zeros(s.n)
-        check_finite(s, stresses, work.zd, b.t)
+        given, reactions = work.law_stress + loads.at(b.t)[1], np.zeros(s.n)
+        check_finite(s, given, work.zd, b.t)
+        stresses = given.copy()
         inner = self.force_rows < self.first
         stresses[self.force_rows[inner]] += b.mu[inner]
         reactions[self.force_rows[~inner] - self.first] = -b.mu[~inner]
         reactions[s.nf :] = b.force[s.nf :]
-        return state_in(self.system.kinematics, work, stresses, reactions)
+        return state_in(self.system.kinematics, work, given, stresses, reactions)

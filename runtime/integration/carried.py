@@ -76,9 +76,9 @@ class Close(Pending):
         before, after = step.flat - step.reach, step.flat + step.reach
         part = (at.t - before) / (after - before)
         states = [step.on_path(t).state() for t in (before, after)]
-        stresses, reactions = (
+        given, stresses, reactions = (
             (1 - part) * getattr(states[0], name) + part * getattr(states[1], name)
-            for name in ("stresses", "reactions")
+            for name in ("given", "stresses", "reactions")
         )
         a = np.zeros_like(at.x)
         a[: kinematics.structure.nf] = step.path.accelerations(at.t)
@@ -87,7 +87,7 @@ class Close(Pending):
         work.laws()
         work.inertia()
         work.convective()
-        return self.given(dynamics.state_in(kinematics, work, stresses, reactions))
+        return self.given(dynamics.state_in(kinematics, work, given, stresses, reactions))
 
 
 def moment_on(kinematics: Kinematics, path: Path, t: float, guess: Snapshot) -> tuple[Snapshot, Array]:

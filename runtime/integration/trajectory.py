@@ -117,8 +117,12 @@ class Trajectory(Sequence[State]):
         return np.array([state.acceleration(name) for state in self._states])
 
     def force(self, name: str) -> Array:
-        """Return the history (nt,) of a stress or reaction; a prescribed deformation is driven by minus its stress."""
+        """Return the history (nt,) of a stress or reaction; see `State.force`."""
         return np.array([state.force(name) for state in self._states])
+
+    def drive(self, name: str) -> Array:
+        """Return the history (nt,) of the force or moment that drives a quantity; see `State.drive`."""
+        return np.array([state.drive(name) for state in self._states])
 
     def position(self, node: str) -> Array:
         """Return the coordinates (nt, …) of a node over time."""

@@ -50,7 +50,7 @@ def complete(
     code = choice.complete(qdd is not None)
     _check_forces(kinematics, choice, t)
     kinematics.check(code, t)
-    return state_in(kinematics, choice.work, *choice.reactions())
+    return state_in(kinematics, choice.work, choice.work.stress.copy(), *choice.reactions())
 
 
 def driving_forces(
@@ -92,7 +92,7 @@ def unaccelerated(kinematics: Kinematics, t: float, x: Array, v: Array, e: Array
     choice.work.a[:] = 0.0
     choice.multiplier[:] = 0.0
     choice.work.convective()
-    return state_in(kinematics, choice.work, *choice.reactions())
+    return state_in(kinematics, choice.work, choice.work.stress.copy(), *choice.reactions())
 
 
 def _placed(kinematics: Kinematics, t: float, x: Array, v: Array, e: Array, z: Array) -> CoordinateWork:
@@ -109,13 +109,16 @@ def _check_forces(kinematics: Kinematics, choice: CoordinateWork, t: float) -> N
     check_finite(kinematics.structure, work.stress, work.zd, t)
 
 
-def state_in(kinematics: Kinematics, work: Workspace, stresses: Array, reactions: Array) -> State:
+def state_in(
+    kinematics: Kinematics, work: Workspace, given: Array, stresses: Array, reactions: Array
+) -> State:
     """Return the state that a workspace holds: everything evaluated, with its accelerations.
 
     Parameters
     ----------
     work : Workspace
-    stresses : ndarray (m + k,)
+    given, stresses : ndarray (m + k,)
+        Those of laws and loads, and all.
     reactions : ndarray (n,)
     """
     t = float(work.struct.t)
@@ -130,6 +133,7 @@ def state_in(kinematics: Kinematics, work: Workspace, stresses: Array, reactions
         e=e,
         rates=rates,
         stresses=stresses,
+        given=given,
         reactions=reactions,
         roles=kinematics.roles,
         evaluation=kinematics.evaluation,

@@ -20,7 +20,7 @@ from flexel.model.role_lists import Roles
 from flexel.model.stress import BeamStress, beam_stress, largest_stress, section_forces
 from flexel.model.structure import Structure
 
-ARRAYS = ("x", "v", "a", "e", "rates", "stresses", "reactions", "z", "zd", "Phi_v")
+ARRAYS = ("x", "v", "a", "e", "rates", "stresses", "given", "reactions", "z", "zd", "Phi_v")
 
 
 @dataclass(frozen=True)
@@ -67,6 +67,8 @@ class State:
         Rates of all quantities.
     stresses : ndarray (m + k,)
         Generalized stresses sigma and tau of laws, loads, and rigid, prescribed and rolling constraints.
+    given : ndarray (m + k,)
+        The part of them that laws and loads give.
     reactions : ndarray (n,)
         Generalized forces on fixed and prescribed coordinates.
     roles : Roles
@@ -87,6 +89,7 @@ class State:
     e: Array
     rates: Array = field(repr=False)
     stresses: Array
+    given: Array = field(repr=False)
     reactions: Array
     roles: Roles = field(repr=False)
     evaluation: Geometry = field(repr=False)
@@ -175,10 +178,37 @@ class State:
         return float(self.Phi_v[self.structure.find(name)])
 
     def force(self, name: str) -> float:
-        """Return the stress of a deformation or slip, or the reaction on a fixed or prescribed coordinate."""
+        """Return the stress of a deformation or slip, or the reaction on a fixed or prescribed coordinate.
+
+        A stress is that of all that acts there: laws, loads, and what holds or drives the deformation; see `drive`.
+        """
         i = self.structure.find(name)
         first = self.structure.m + self.structure.k
         return float(self.stresses[i] if i < first else self.reactions[i - first])
+
+    def drive(self, name: str) -> float:
+        """Return the force or moment of what drives or holds a quantity, positive in the direction of its motion.
+
+        It is that of the motor alone: springs, dampers, friction and loads in the same place are not in it.
+
+        Parameters
+        ----------
+        name : str
+            A coordinate or deformation that is prescribed, an actuator, or held (`System.equilibrium`).
+
+        Raises
+        ------
+        ModelError
+            If nothing drives it.
+        """
+        s, roles = self.structure, self.roles
+        i, first = s.find(name, "drive"), s.m + s.k
+        force = -float(self.stresses[i] - self.given[i]) if i < first else float(self.reactions[i - first])
+        driven = {*roles.prescribed.tolist(), *roles.forces[roles.rigid.size :].tolist()}
+        if i not in driven and (not force or i in roles.rigid or i in roles.zero or i >= first + s.nf):
+            known = ", ".join(s.names[j] for j in sorted(driven)) or "none is"
+            raise ModelError(f"drive: nothing drives '{name}'; prescribed quantities and actuators: {known}")
+        return force
 
     def position(self, node: str | Handle) -> Array:
         """Return the coordinates of a node, given by its name or itself, as many as its kind has."""

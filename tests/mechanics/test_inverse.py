@@ -1,10 +1,13 @@
 """Inverse dynamics: prescribed motion gives driving forces and reactions; power and rotating frames."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from differences import Knob, pendulum, slope
 
-from flexel.base.time_functions import Harmonic, Ramp
+import flexel as fx
+from flexel.base.time_functions import Harmonic, Polynomial, Ramp
 from flexel.base.time_tables import Table
 from flexel.parts.model import Model
 
@@ -225,3 +228,76 @@ def test_the_same_motion_given_in_four_ways_needs_the_same_moment(function: str)
     theta = 0.1 + 0.5 * np.sin(3 * motion.t)
     moment = 2.0 / 3 * -4.5 * np.sin(3 * motion.t) - G * np.cos(theta)
     assert np.max(np.abs(-motion.force("pivot.angle") - moment)) < (1e-4 if function == "table" else 1e-12)
+
+
+def loaded_joint(method: str) -> tuple[fx.Motion, np.ndarray]:
+    """A wheel on a driven hinge with a spring, a damper, friction and a load; and the moment of its motor [N m]."""
+    m = Model()
+    m.rigid_body("wheel", (0, 0), mass=1.0, inertia=0.2)
+    m.revolute("j", "ground", "wheel", at=(0, 0), stiffness=2.0, damping=0.3, friction=(0.5, 1e-3))
+    m.load("j.angle", 4.0)
+    m.prescribe("j.angle", Polynomial([0.0, 10.0, 0.5]))
+    motion = m.build().simulate(1.0, samples=11, method=method)
+    t = motion.t
+    return motion, 0.2 + 2.0 * (10 * t + 0.5 * t**2) + 0.3 * (10 + t) + 0.5 - 4.0
+
+
+@pytest.mark.parametrize("method", ["auto", "generalized-alpha"])
+def test_a_drive_is_what_its_motor_supplies(method: str, tmp_path: Path) -> None:
+    """Without the springs, dampers, friction and loads in its joint, which `force` has too; also from a file."""
+    motion, moment = loaded_joint(method)
+    assert motion.drive("j.angle") == pytest.approx(moment, rel=1e-8)
+    assert motion.force("j.angle") == pytest.approx(np.full(11, -0.2), abs=1e-8)
+    for name in ("motion.npz", "motion.nc"):
+        assert fx.load(motion.save(tmp_path / name)).drive("j.angle") == pytest.approx(moment, rel=1e-8)
+    power = motion[-1].dissipated
+    assert power == pytest.approx((0.3 * 11.0 + 0.5) * 11.0, rel=1e-8)
+
+
+def on_path(*, loaded: bool) -> fx.Motion:
+    """A two-link arm whose tip goes round, perhaps with a spring, a damper and friction in its joints."""
+    m = Model(gravity=(0, -G))
+    shoulder, wrist, tip = (
+        m.point(n, x) for n, x in (("S", (0, 0)), ("W", (0.36, 0.48)), ("T", (0.76, 0.48)))
+    )
+    m.fix("S")
+    ground, upper, fore = m.angle("ground", fixed=True), m.angle("upper"), m.angle("fore")
+    m.hinge("first", ground, upper)
+    m.hinge("second", upper, fore)
+    m.beam("one", shoulder, upper, wrist, mass_per_length=5)
+    m.beam("two", wrist, fore, tip, mass_per_length=5)
+    if loaded:
+        m.spring("first.angle", 5.0, 0.7)
+        m.friction("second.angle", 3.0, 1e-3)
+    motors = ("first.angle", "second.angle")
+    m.prescribe("T.x", lambda t: 0.66 + 0.1 * np.cos(2 * np.pi * t), actuators=motors)
+    m.prescribe("T.y", lambda t: 0.48 + 0.1 * np.sin(2 * np.pi * t), actuators=motors)
+    return m.build().simulate(1.0, samples=8)
+
+
+def test_actuators_supply_what_acts_in_their_joints() -> None:
+    """The moments for a path, and those of a damper, a spring and friction in the same joints."""
+    plain, loaded = on_path(loaded=False), on_path(loaded=True)
+    more = 5.0 * loaded["first.angle"] + 0.7 * loaded["first.angle'"]
+    assert loaded.drive("first.angle") - plain.drive("first.angle") == pytest.approx(more, abs=1e-8)
+    assert loaded.force("first.angle") == pytest.approx(plain.force("first.angle"), abs=1e-8)
+    slides = np.sign(loaded["second.angle'"])
+    assert loaded.drive("second.angle") - plain.drive("second.angle") == pytest.approx(3.0 * slides, abs=1e-3)
+    with pytest.raises(
+        fx.ModelError, match=r"drive: nothing drives 'one\.along'.*first\.angle, second\.angle"
+    ):
+        plain.drive("one.along")
+
+
+def test_what_is_held_is_driven_and_nothing_else() -> None:
+    m = arm()
+    m.rigid("shoulder.angle")
+    m.load("elbow.angle", 0.5)
+    system = m.build()
+    held = system.equilibrium(hold=["elbow.angle"])
+    assert held.drive("elbow.angle") == pytest.approx(2.0 * G * 0.2 - 0.5, rel=1e-9)
+    for name in ("shoulder.angle", "upper.along", "B.x"):
+        with pytest.raises(
+            fx.ModelError, match=f"nothing drives '{name}'; prescribed quantities and actuators: none"
+        ):
+            held.drive(name)
