@@ -9,9 +9,12 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import PositionError
-from flexel.integration.driver import DenseRun
+from flexel.integration.carried import Carried
+from flexel.integration.dense_run import DenseRun
+from flexel.integration.dips import Dips
 from flexel.integration.events import Event
 from flexel.integration.segments import Step, Variables
+from flexel.mechanics.kinematics import Kinematics
 from flexel.mechanics.states import located
 from flexel.model.snapshot import Snapshot
 from flexel.model.state import State
@@ -19,6 +22,8 @@ from flexel.model.structure import Structure
 from flexel.system import CoreSystem
 
 SHORTEST = 1e-6  # step, relative to the times, below which a position counts as unreachable
+SHORT = 0.2  # change of a coordinate per step, in natural scales: a flat position must not be stepped over
+EXACT = 1e-11  # error of a path across one, in natural scales
 TRAVEL = (
     1.0  # change of an Euler parameter per step: more than two radians could lead to another branch or turn
 )
@@ -49,9 +54,14 @@ class HeldStates(Variables):
 
 
 class Followed(DenseRun):
-    """One run of a fully prescribed motion; steps are halved until the position is found."""
+    """One run of a fully prescribed motion; steps are halved until the position is found.
+
+    At a flat position the constraints leave a choice of branches; see across.py.
+    """
 
     name = ""
+    timed = True
+    exactness = EXACT
 
     def __init__(self, system: CoreSystem, start: State, times: Array, events: Sequence[Event]) -> None:
         super().__init__(system, start, times, events)
@@ -59,11 +69,27 @@ class Followed(DenseRun):
         self._step = np.inf
         self._kinematics = system.kinematics_of(start.roles)
         self._a = start.a
+        self._dips, self._uncertain = Dips(), list[float]()
 
     @property
     def statistics(self) -> dict[str, int]:
         """Counts of what was done."""
         return {"steps": len(self.result.segments), "evaluations": 0, "rechoices": 0}
+
+    @property
+    def kinematics(self) -> Kinematics:
+        """The only choice of degrees of freedom: none."""
+        return self._kinematics
+
+    def dangers(self) -> list[str]:
+        """Describe a flat position that could not be crossed smoothly."""
+        if not self._uncertain:
+            return []
+        return [
+            f"the position is singular near t = {self._uncertain[0]:.6g} s, where the prescribed motions leave a "
+            "choice of branches, and the mechanism does not go on smoothly from there: it may be on another branch "
+            "afterwards; prescribe it otherwise, or end the motion earlier"
+        ]
 
     def jump(self, z: Array) -> None:
         """Continue from here with other internal states."""
@@ -71,23 +97,31 @@ class Followed(DenseRun):
 
     def advance(self) -> str | None:
         """Take one step towards the next stored time."""
-        here = self.now
+        here, weight = self.now, self._kinematics.lists.step_weight
         until = min(self.until, self.stop)
-        self._step = min(self._step, until - here.t, longest_step(here.v, self._a, self._weights))
+        fastest = float(np.max(np.abs(here.v[: weight.size]) * weight, initial=0.0))
+        longest = min(longest_step(here.v, self._a, self._weights), SHORT / max(fastest, 1e-300))
+        self._step = min(self._step, until - here.t, longest)
         while True:
             t = min(here.t + self._step, until)
             ahead = replace(here, x=here.x + (t - here.t) * here.v)
             try:
                 x, v, e = located(self._kinematics, t, NOTHING, NOTHING, ahead)
                 break
-            except PositionError:
+            except PositionError as error:
                 self._step /= 2
                 if self._step < SHORTEST * self._span:
-                    raise
+                    if steps := self.across(t, at_once=True):
+                        return self._carry(steps)
+                    raise error
         work = self._kinematics.evaluation.at(t, x, v, unwrap_from=e)
         there = Snapshot(t, x, v, e, work.w[: e.size].copy())
+        flat = self._dips.passed(self._kinematics, here, there, self._kinematics.choice)
+        if flat is not None:
+            if steps := self.across(flat):
+                return self._carry(steps)
+            self._uncertain.append(flat)
         self._a = (v - here.v) / (t - here.t)
-        arrived = t >= until
         segment = Step(
             here.t,
             t,
@@ -98,6 +132,14 @@ class Followed(DenseRun):
             HeldStates(self._kinematics, here, there, self.z),
         )
         ended = self.accept(segment, self.z)
-        if arrived:
+        if t >= until:
             self._step = np.inf
+        return ended
+
+    def _carry(self, steps: list[Carried]) -> str | None:
+        """Take steps across a flat position, and continue on the other side."""
+        ended = self.accept_carried(steps)
+        self._step, self._a = np.inf, np.zeros_like(self._a)
+        self._dips.forget()
+        self._uncertain = [t for t in self._uncertain if t < steps[0].path.t0]
         return ended

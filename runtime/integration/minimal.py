@@ -21,12 +21,11 @@ from flexel.base.errors import DynamicsError, FlexelError
 from flexel.engine.contact_selection import every_gap
 from flexel.engine.covered import Covered
 from flexel.integration.account import Account
-from flexel.integration.across import Crossing
 from flexel.integration.attempts import Attempted, search
 from flexel.integration.branch import REFUSED, WORSE, Choices
 from flexel.integration.carried import Carried
+from flexel.integration.dense_run import DenseRun
 from flexel.integration.dips import Dips
-from flexel.integration.driver import DenseRun
 from flexel.integration.events import Event
 from flexel.integration.imbalance import AT_REST, ROUNDING, STEPS, Imbalance, explained
 from flexel.integration.outcome import Integration
@@ -45,7 +44,6 @@ log = logging.getLogger("flexel.simulate")
 SHORTEST = 1e-11  # step, relative to the times, below which the integration stops
 EXTREME = 10.0  # amplification of kept degrees of freedom, relative to the best, that explains an early end
 STILL = 1e-14  # rates, in natural scales, that are rounding errors
-LONGEST_PAUSE = 1024  # steps without another trial to cross a flat position
 PROMISED = 10.0  # tolerances that rounding errors of coordinates may have without a warning
 FAR = 10.0  # distance from the origin, in natural scales, to which rounding errors are attributed
 PAUSE = 0.1  # time [s] for which an interrupt, or the progress bar, may wait for steps in a row
@@ -104,7 +102,6 @@ class MinimalRun(DenseRun):
         self.dips = Dips()
         tables = self.kinematics.evaluation.work.tables
         self.touching = TouchingContacts(tables, every_gap(tables), self.passed)
-        self._pause, self._next_crossing = 1, 0  # steps
         self._patient = 1  # steps in a row that take about PAUSE
         self._unusual = self._alone = (
             0  # steps that are taken alone after the last short row, and what is left of them
@@ -136,6 +133,11 @@ class MinimalRun(DenseRun):
     def statistics(self) -> dict[str, int]:
         """Counts of what was done."""
         return dict(self.counts)
+
+    @property
+    def exactness(self) -> float:
+        """Error of a path across a flat position, in natural scales."""
+        return self.tolerances.rtol + self.tolerances.largest_atol
 
     @property
     def timed(self) -> bool:
@@ -375,46 +377,15 @@ class MinimalRun(DenseRun):
             self._shown = self.shown()
         return ended
 
-    def across(self, flat: float) -> list[Carried]:
-        """Carry the motion across a flat position near a time [s]; return no steps if that is impossible.
-
-        After each failure in a row it is tried after twice as many steps.
-        """
-        if self.counts["steps"] < self._next_crossing:
-            return []
-        crossing = Crossing(
-            self.stretches,
-            self.now,
-            self.z,
-            self.smooth_since,
-            self.stop,
-            self.stop if self.timed else np.inf,
-            self.kinematics,
-            self._shown,
-            self.knots,
-            self.tolerances.rtol + self.tolerances.largest_atol,
-        )
-        found = crossing.steps(flat)
-        self._pause = 1 if found else min(2 * self._pause, LONGEST_PAUSE)
-        self._next_crossing = 0 if found else self.counts["steps"] + self._pause
-        self.counts["evaluations"] += crossing.evaluations
-        return found
-
     def carry(self, steps: list[Carried]) -> str | None:
         """Take steps across a flat position, and continue on the other side; returns a message as `advance` does.
 
         Steps that came too close to it are dropped.
         """
         self.counts["carried"] += 1
-        log.info("t = %.9g s: carried across a flat position at %.9g s", steps[-1].t1, steps[0].flat)
         begun = self.account.back(steps[0].t0)
         self.dips.back(steps[0].path.t0)
-        if steps[0].t0 < self.t:
-            self.rewind(steps[0].first, steps[0].path.at(steps[0].t0)[2])
-        for step in steps:
-            ended = self.accept(step, step.path.at(step.t1)[2])
-            if ended is not None:
-                break
+        ended = self.accept_carried(steps)
         self._balance_of(steps[0], begun)
         if ended is not None:
             return ended
@@ -439,11 +410,14 @@ class MinimalRun(DenseRun):
 
     def carry_or_stop(self, error: FlexelError) -> str | None:
         """Carry the motion across a flat position that is the cause of its short steps, or raise the error."""
-        self._next_crossing = 0
-        steps = self.across(self.t)
+        steps = self.across(self.t, at_once=True)
         if not steps:
             raise self.gives_up(error) from None
         return self.carry(steps)
+
+    def evaluated(self, evaluations: int) -> None:
+        """Count evaluations."""
+        self.counts["evaluations"] += evaluations
 
     def imbalance(self) -> Imbalance:
         """Return the error of the energy balance, and how much tolerance, steps, rounding and doubt explain."""

@@ -199,7 +199,7 @@ def test_ctrl_c_in_a_spacar_file_says_so_and_keeps_the_motion(tmp_path: Path, ch
 INTERRUPTING = """
 import os, signal, sys
 from flexel.apps.cli.main import main
-from flexel.integration.driver import DenseRun
+from flexel.integration.dense_run import DenseRun
 
 store = DenseRun._store
 
