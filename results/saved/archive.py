@@ -76,6 +76,7 @@ def record_of(motion: Trajectory) -> Record:
     structure, choices = motion.structure, _Choices()
     variables = _packed(list(motion), "time", choices)
     units = quantity_units(structure)
+    units["given"] = units["force"]
     labels = {"quantity": structure.names, "energy_kind": ENERGIES}
     if structure.nz:
         labels["internal_state"] = tuple(structure.internal)
@@ -101,7 +102,8 @@ def record_of(motion: Trajectory) -> Record:
         "warnings": motion.warnings,
         "verdict": motion.verdict,
     }
-    return Record("motion", variables, labels, units, header)
+    own = {name: unit for name, unit in units.items() if name in variables}
+    return Record("motion", variables, labels, own, header)
 
 
 class _Choices:

@@ -195,6 +195,5 @@ def quantity_units(structure: Structure) -> dict[str, tuple[str, ...]]:
         "value": tuple("" if slip else unit for unit, slip in pairs),
         "rate": tuple(rate_unit(unit, 0 if slip else 1) for unit, slip in pairs),
         "acceleration": tuple(rate_unit(unit, 1 if slip else 2) for unit, slip in pairs),
-        "force": (forces := tuple(force_unit(unit, slip) for unit, slip in pairs)),
-        "given": forces,
+        "force": tuple(force_unit(unit, slip) for unit, slip in pairs),
     }

@@ -71,7 +71,7 @@ def killed_and_continued(
 # steps after each.
 METHODS: dict[str, tuple[float, int, float]] = {
     "DOP853": (1e-9, 2, 5e-10),
-    "Radau": (1e-8, 9, 2e-9),
+    "Radau": (1e-8, 2, 2e-9),
     "generalized-alpha": (1e-6, 50, 1e-5),
 }
 

@@ -70,7 +70,7 @@ def test_bodies_and_steppers_are_one_line() -> None:
     m.revolute("pin", "ground", "crank", at=(0, 0))
     assert repr(body) == "RigidBody('crank': crank, crank_frame, points tip)"
     stepper = m.build().stepper(0.01, inputs=["pin.angle"], outputs=["crank.x"])
-    assert repr(stepper) == "Stepper(t = 0 s, dt = 0.01 s; in: pin.angle; out: crank.x)"
+    assert repr(stepper) == "Stepper(t = 0 s, dt = 0.01 s; in: pin.angle; out: crank.x; DOP853)"
 
 
 def test_modes_are_a_table() -> None:
