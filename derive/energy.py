@@ -10,6 +10,11 @@ from sympy.core.relational import Relational
 
 from flexel.derive.declare.functions import FUNCTIONS, KINKED
 
+PLACES = 64  # of each width, an even number: where a closed form is compared with the stress
+SLOPE, MOSTLY = (
+    1e-6,
+    0.9,
+)  # relative error of its slope, and part of the places where it is kept: not at kinks
 POINTS = 16  # of Gauss's rule, between two kinks
 _KNOWN = (*FUNCTIONS, *KINKED, sp.Piecewise)
 
@@ -29,7 +34,36 @@ def closed_form(stress: Expr, e: Symbol) -> Expr | None:
         return None
     # a difference of two nearly equal terms becomes one fraction, which keeps its digits
     one_fraction = found.is_rational_function(e) and not found.is_polynomial(e)
-    return sp.factor(sp.together(found)) if one_fraction else found
+    return sp.factor(sp.together(found)) if one_fraction else real_everywhere(exact, found, e)
+
+
+def real_everywhere(stress: Expr, stored: Expr, e: Symbol) -> Expr | None:
+    """Return a closed form that has a value wherever the stress has one; None if it cannot be made to.
+
+    SymPy writes the integral of a spring that acts on one side only, such as max(0, e - a)^1.5, with powers of negative
+    numbers on the other side, which cancel as complex numbers but not as real ones: there the base is set to zero.
+    """
+    clipped = stored.replace(
+        lambda part: part.is_Pow and part.exp.is_Rational and not part.exp.is_Integer and part.base.has(e),
+        lambda part: sp.Max(part.base, 0) ** part.exp,
+    )
+    return next((form for form in (stored, clipped) if _is_integral(stress, form, e)), None)
+
+
+def _is_integral(stress: Expr, stored: Expr, e: Symbol) -> bool:
+    """Whether a stored energy has a value, and the stress as slope, wherever that has a value in some places."""
+    if stored.free_symbols - {e}:
+        return True  # its parameters have no values here
+    width = max((2 * abs(place) for place in kinks(stress, e)), default=0.0)
+    places = np.unique(np.outer((0.01, 1.0, max(width, 1.0)), np.linspace(-1, 1, PLACES)))
+    with np.errstate(all="ignore"):
+        sigma, U, slope = (
+            np.broadcast_to(sp.lambdify(e, form, "numpy")(places), places.shape)
+            for form in (stress, stored, stored.diff(e))
+        )
+    known = np.isfinite(sigma)
+    exact = np.isclose(slope, sigma, rtol=SLOPE, atol=SLOPE * np.abs(sigma[known]).max(initial=0.0))
+    return bool(np.all(np.isfinite(U[known])) and np.mean(exact[known]) > MOSTLY)
 
 
 def by_gauss(stress: Expr, e: Symbol, low: float, high: float) -> Expr:

@@ -86,7 +86,7 @@ static void add(flexel_account *o, double h, double lost, double work, double do
         o->worst = fabs(missing);
         o->when = o->passed;
     }
-    o->farthest = fmax(o->farthest, fabs(o->missing));
+    o->farthest = isnan(o->missing) ? INFINITY : fmax(o->farthest, fabs(o->missing)); /* an energy has no value */
     o->doubt += doubt;
     o->through += fabs(lost) + fabs(work);
     o->fastest = fmax(o->fastest, o->kinetic);

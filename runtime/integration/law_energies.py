@@ -15,6 +15,7 @@ from flexel.model.structure import Structure
 from flexel.system import CoreSystem
 
 WRONG = 1e-6  # power that is given back, relative to that of the stress, from which an energy is wrong
+ROUNDED = 1e-3  # of the kinetic energy over the motion, as a power: less than this may be rounding
 LATER = 0.38196601125  # parts of the motion by which time is moved, to find laws that depend on it
 
 
@@ -37,6 +38,7 @@ def wrong_energies(system: CoreSystem, moments: Sequence[tuple[Snapshot, Array]]
     work = Workspace(tables)
     span = moments[-1][0].t - moments[0][0].t
     found: dict[str, str] = {}
+    least = ROUNDED * _kinetic(work, moments) / span if span else 0.0
     for at, z in moments:
         U, P, stress = _powers(work, at, z, at.t, 1.0)
         back = _powers(work, at, z, at.t, -1.0)[1]
@@ -44,7 +46,7 @@ def wrong_energies(system: CoreSystem, moments: Sequence[tuple[Snapshot, Array]]
         for i, b in some:
             numbers = tables.law.first[i] + np.arange(b.size)
             rows = b.places["e"][:, 0]
-            size = np.abs(stress[rows] * at.ed[rows])
+            size = np.maximum(np.abs(stress[rows] * at.ed[rows]), least)
             both = np.array([P[numbers], back[numbers]])
             wrong = (both.min(axis=0) < -WRONG * size) & (both.max(axis=0) > WRONG * size)
             for k in np.flatnonzero(wrong & (stress[rows] == later[rows]) & (U[numbers] != 0)):
@@ -57,6 +59,17 @@ def wrong_energies(system: CoreSystem, moments: Sequence[tuple[Snapshot, Array]]
                     "motion.energy is wrong by that much; correct the energy of the law",
                 )
     return list(found.values())
+
+
+def _kinetic(work: Workspace, moments: Sequence[tuple[Snapshot, Array]]) -> float:
+    """Return the largest kinetic energy [J] at some instants."""
+    found = []
+    for at, _ in moments:
+        work.x[:], work.v[:], work.unwrap_from[:], work.a[:] = at.x, at.v, at.e, 0.0
+        work.position()
+        work.inertia()
+        found.append(work.state()[1][0])
+    return max(found)
 
 
 def _is_elastic(structure: Structure, b: Batch) -> bool:

@@ -2,11 +2,13 @@
 
 import re
 import warnings
+from collections.abc import Callable
 from functools import partial
 from pathlib import Path
 
 import numpy as np
 import pytest
+import sympy
 from click.testing import CliRunner
 from longer import longer
 from mechanisms import heavy_top
@@ -16,6 +18,9 @@ import flexel as fx
 from flexel.apps.cli.check import check
 from flexel.derive import Law, Parameter, symbol
 from flexel.derive.user_definitions import compile_law
+from flexel.integration.account import Account
+from flexel.integration.dop853 import Dop853
+from flexel.integration.imbalance import Imbalance
 
 METHODS = ("DOP853", "Radau")  # in minimal coordinates
 E, ED = symbol("e"), symbol("ed")
@@ -436,3 +441,33 @@ def test_a_wheel_that_falls_flat_is_named() -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         system.simulate(0.2)
+
+
+@pytest.mark.parametrize(
+    "law",
+    [
+        lambda e: -1e5 * sympy.Max(0, -0.5 - e) ** 1.5,
+        lambda e: -1e5 * sympy.Piecewise(((-0.5 - e) ** sympy.Rational(5, 2), e < -0.5), (0, True)),
+        lambda e: -1e4 * sympy.Max(0, -0.5 - e) ** 2,
+    ],
+)
+def test_the_energy_of_a_one_sided_power_is_known_on_the_other_side(law: Callable[[object], object]) -> None:
+    """190 of 201 energies were not numbers, and the balance was zero; or a warning compared rounding with 0 W."""
+    m = fx.Model(gravity=(0, -9.81))
+    m.truss("t", m.point("O", (0, -10), fixed=True), m.point("A", (0, 0.5)))
+    m.fix("A.x")
+    m.point_mass("ball", "A", 1.0)
+    m.spring("t.elongation", law)
+    motion = m.build().simulate(3.0, method="DOP853", rtol=1e-6)
+    total = motion.energy["total"]
+    assert np.ptp(total) < 1e-5 and np.min(motion.energy["strain"]) > -1e-9
+    assert motion.warnings == () and "within 0 of" not in motion.verdict
+
+
+def test_energies_that_are_not_numbers_are_no_balance() -> None:
+    balance = Imbalance(np.inf, 1.0, 1.0, 0.0)
+    assert balance.fails and str(balance) == "energy balance within inf of 1 J"
+    account = Account(Dop853.quadrature)
+    account.struct.energy = np.nan
+    account.accept(0.1)
+    assert account.struct.farthest == np.inf
