@@ -458,9 +458,9 @@ def test_the_energy_of_a_one_sided_power_is_known_on_the_other_side(law: Callabl
     m.fix("A.x")
     m.point_mass("ball", "A", 1.0)
     m.spring("t.elongation", law)
-    motion = m.build().simulate(3.0, method="DOP853", rtol=1e-6)
+    motion = m.build().simulate(3.0)
     total = motion.energy["total"]
-    assert np.ptp(total) < 1e-5 and np.min(motion.energy["strain"]) > -1e-9
+    assert np.ptp(total) < 2e-6 and np.min(motion.energy["strain"]) > -1e-9
     assert motion.warnings == () and "within 0 of" not in motion.verdict
 
 
