@@ -138,9 +138,9 @@ def _packed(states: Sequence[State], dim: str, choices: _Choices) -> dict[str, V
         "force": [np.concatenate([state.stresses, state.reactions]) for state in states],
     }
     found = {"time": Variable((dim,), np.array([state.t for state in states]), "s", "time")}
-    given = [_given(state) for state in states]
-    if any(map(np.any, given)):
-        tables["given"] = given
+    driven = _driven(states[0])
+    if driven.size:
+        tables["given"] = [_given(state, driven) for state in states]
     found |= {name: Variable((dim, "quantity"), np.array(rows)) for name, rows in tables.items()}
     energies = np.array([[getattr(state.energy, name) for name in ENERGIES] for state in states])
     found["energy"] = Variable((dim, "energy_kind"), energies, "J")
@@ -160,13 +160,17 @@ def _packed(states: Sequence[State], dim: str, choices: _Choices) -> dict[str, V
     return found
 
 
-def _given(state: State) -> Array:
-    """Return what laws and loads give (m + k + n,) of the stresses of driven deformations; zero for others."""
-    roles, first = state.roles, state.given.size
-    found = np.zeros(state.rates.size)
+def _driven(state: State) -> Index:
+    """Return the deformations that are prescribed, or are actuators."""
+    roles = state.roles
     driven = np.concatenate([roles.prescribed, roles.forces[roles.rigid.size :]])
-    own = driven[driven < first]
-    found[own] = state.given[own]
+    return np.unique(driven[driven < state.given.size])
+
+
+def _given(state: State, driven: Index) -> Array:
+    """Return what laws and loads give (m + k + n,) of the stresses of driven deformations; zero for others."""
+    found = np.zeros(state.rates.size)
+    found[driven] = state.given[driven]
     return found
 
 
