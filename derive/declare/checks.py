@@ -33,8 +33,14 @@ _NOT_REAL = (sp.nan, sp.oo, -sp.oo, sp.zoo, sp.I)
 
 def check_name(owner: str, name: str) -> None:
     """Raise ElementError for a name that is invalid in C."""
-    if not _IDENTIFIER.match(name) or name in _RESERVED:
-        raise ElementError(f"{owner}: '{name}' is not a valid name in C; use letters, digits and underscores")
+    if not _IDENTIFIER.match(name):
+        raise ElementError(
+            f"{owner}: '{name}' is not a valid name in C; begin with a letter, and use letters, digits and underscores"
+        )
+    if name in _RESERVED:
+        raise ElementError(
+            f"{owner}: '{name}' is not a valid name: it is a word of C; choose another, such as '{name}_'"
+        )
     if len(name) > _LONGEST:
         raise ElementError(
             f"{owner}: '{name[:20]}…' has {len(name)} letters; choose a name of at most {_LONGEST}"

@@ -96,7 +96,7 @@ class Element:
         if not self.nodes:
             raise ElementError(f"{owner} has no nodes")
         symbols = [*self.x, *self.v, *self.parameter_symbols, *(s for s, _ in self.let)]
-        for s in symbols:
+        for s in (*symbols, *self.deformations, *self.slips):
             check_name(owner, s.name)
         check_unique(owner, [s.name for s in symbols])
         check_unique(owner, [d.name for d in self.deformations] + [s.name for s in self.slips])

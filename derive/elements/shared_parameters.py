@@ -3,7 +3,7 @@
 from flexel.derive.declare import Parameter
 
 L0 = Parameter("l0", 1, "m", "undeformed length")
-RHOA = Parameter("rhoA", 1, "kg/m", "mass per length")
+RHOA = Parameter("rhoA", 1, "kg/m", "mass per length", sign="not negative")
 RHOJ = Parameter(
     "rhoJ",
     3,
@@ -12,7 +12,7 @@ RHOJ = Parameter(
     ("x", "y", "z"),
 )
 RHOIW = Parameter("rhoIw", 1, "kg m^3", "warping inertia per length, density times the warping constant")
-MASS = Parameter("mass", 1, "kg", "mass")
+MASS = Parameter("mass", 1, "kg", "mass", sign="not negative")
 GRAVITY = Parameter("gravity", 3, "m/s^2", "acceleration of gravity", ("x", "y", "z"))
 PLANAR_GRAVITY = Parameter("gravity", 2, "m/s^2", "acceleration of gravity", ("x", "y"))
 TP = Parameter("tp", 4, "1", "unit quaternion from the body frame of node p to the element's triad there")

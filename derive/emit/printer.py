@@ -44,9 +44,11 @@ class FunctionBody:
 
 
 def _c_name(name: str, used: set[str]) -> str:
-    """Return the name itself, or with underscores behind it where it would clash."""
+    """Return the name itself, or with underscores behind it where it would clash; functions in C begin with real_."""
     temporary = name[:1] == "t" and name[1:].isdigit()
-    while name in used or name in ARRAYS or name in TAKEN or name.startswith("real_") or temporary:
+    if name.startswith("real_"):
+        name = f"its_{name}"
+    while name in used or name in ARRAYS or name in TAKEN or temporary:
         name, temporary = name + "_", False
     used.add(name)
     return name

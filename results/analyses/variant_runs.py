@@ -91,12 +91,15 @@ class Values:
         self._check_signs(parameters)
 
     def _check_signs(self, parameters: Parameters) -> None:
-        if not any(target.law for place in self.places for target in place.targets):
+        targets = [target for place in self.places for target in place.targets]
+        parts = {(target.law, target.owner): parameters.owner(target) for target in targets}
+        if not any(p.sign for part in parts.values() for p in part.spec.parameters):
             return
         for i in range(self.count):
-            owners = parameters.owners(self.places, self.of(i))
-            for law in (owner for (is_law, _), owner in owners.items() if is_law):
-                check_signs(law.spec, law.parameters, f"{self._owner}: variant {i}: '{law.name}'")
+            for part in parameters.owners(self.places, self.of(i)).values():
+                check_signs(
+                    part.spec.parameters, part.parameters, f"{self._owner}: variant {i}: '{part.name}'"
+                )
 
     def _count(self, columns: Mapping[str, Array]) -> int:
         sizes = {name: len(rows) for name, rows in columns.items() if len(rows) != 1}

@@ -50,7 +50,7 @@ def parameters_of_law(owner: str, spec: LawSpec, given: Mapping[str, Any]) -> di
                 f"{owner}: parameter {parameter.name} has {value.size} numbers; it needs {parameter.size}"
             )
         values[parameter.name] = value
-    check_signs(spec, values, owner)
+    check_signs(spec.parameters, values, owner)
     return values
 
 

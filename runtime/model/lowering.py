@@ -30,6 +30,7 @@ from flexel.model.law_arguments import (
 )
 from flexel.model.node import COMPONENTS, Node, unknown_quantity
 from flexel.model.rigid_body import RigidBody
+from flexel.model.signs import check_signs
 from flexel.model.structure import Structure
 from flexel.model.surfaces import Surface
 
@@ -236,6 +237,7 @@ class Lowering:
                 f"{owner}: parameter(s) {', '.join(wrong)} missing or unknown; it takes {', '.join(sizes)}"
             )
         values = {key: array(values[key], owner, f"parameter {key}").reshape(-1) for key in sizes}
+        check_signs(spec.parameters, values, owner)
         instance = Instance(name, spec, tuple(member.name for member in members), values, code)
         _ = instance.p  # check the sizes here, so that the traceback shows the caller
         self.instances[name] = instance

@@ -1,11 +1,11 @@
-"""Signs required of the parameters of laws: with others, a law divides by zero or creates energy.
+"""Signs required of the parameters of laws and elements: with others, one divides by zero or creates energy.
 
 The words are defined in `flexel.derive.declare.words`.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -13,7 +13,7 @@ import numpy as np
 from flexel.base.arguments import not_negative, positive
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
-from flexel.derive.spec import LawSpec, triangle
+from flexel.derive.spec import ParameterSpec, triangle
 
 Check = Callable[[Any, str, str], float]
 
@@ -43,9 +43,9 @@ CHECKS: dict[str, Check] = {
 }
 
 
-def check_signs(law: LawSpec, values: Mapping[str, Array], owner: str) -> None:
-    """Raise a ModelError for a parameter of a law that has a wrong sign."""
-    for parameter in law.parameters:
+def check_signs(parameters: Sequence[ParameterSpec], values: Mapping[str, Array], owner: str) -> None:
+    """Raise a ModelError for a parameter of a law or an element that has a wrong sign."""
+    for parameter in parameters:
         given, name = values[parameter.name].ravel(), f"parameter {parameter.name}"
         if parameter.sign == ("semidefinite",):
             _check_triangle(given, parameter.size, owner, name)

@@ -18,6 +18,8 @@ from flexel.derive.declare import (
     Slip,
     symbol,
 )
+from flexel.derive.definition_errors import ElementError
+from flexel.derive.emit.printer import _c_name
 from flexel.derive.laws.linear_laws import LINEAR
 
 
@@ -142,3 +144,19 @@ def test_coordinates_have_readable_names() -> None:
     assert [s.name for s in Frame("r").v] == ["r_vl0", "r_vl1", "r_vl2", "r_vl3"]
     assert [s.name for s in PlanarPoint("p").v] == ["p_vx", "p_vy"]
     assert [s.name for s in PlanarAngle("r").x] == ["r_angle"]
+
+
+@pytest.mark.parametrize("name", ["x y", "a.b", "e'", "e[0]", "", "in", "1a"])
+def test_names_of_deformations_are_names_in_c(name: str) -> None:
+    """They ended in pages of messages of the compiler."""
+    p, q = PlanarPoint("p"), PlanarPoint("q")
+    with pytest.raises(ElementError, match="is not a valid name"):
+        Element(
+            "one", (p, q), (), deformations=(Deformation(name, "m", p.x[0] - q.x[0]),), doc="x", source="own"
+        )
+
+
+def test_names_that_begin_like_functions_of_the_generated_code() -> None:
+    """They hung the generation of code."""
+    used: set[str] = set()
+    assert [_c_name("real_length", used) for _ in range(2)] == ["its_real_length", "its_real_length_"]

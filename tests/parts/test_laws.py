@@ -8,6 +8,7 @@ import pytest
 import sympy
 from mechanisms import slider
 
+import flexel as fx
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError, FlexelError, IncompleteWarning
 from flexel.derive.check.joins import check_law_joins
@@ -260,3 +261,18 @@ def test_a_stone_on_a_hertzian_contact_sinks_by_the_two_thirds_power_of_its_weig
     assert s.equilibrium()["stone.z"] == pytest.approx(0.1 - (9.81 / k) ** (2 / 3), rel=1e-13)
     apart = s.state_at({"gap.elongation": 0.01})
     assert apart.force("gap.elongation") == 0.0
+
+
+def test_signs_of_parameters_of_elements_are_checked() -> None:
+    """Of a bar with a negative mass, in a model and among variants."""
+    m = fx.Model()
+    m.point("A", (0, 0, 0), fixed=True)
+    m.point_mass("x", m.point("B", (1, 0, 0)), 5.0)
+    with pytest.raises(fx.ModelError, match=r"truss 'b': parameter rhoA -2 is negative"):
+        m.element("b", "truss", "A", "B", l0=1.0, rhoA=-2.0)
+        m.build()
+    m = fx.Model()
+    m.point("A", (0, 0, 0), fixed=True)
+    m.element("b", "truss", "A", m.point("B", (1, 0, 0)), l0=1.0, rhoA=2.0)
+    with pytest.raises(fx.ModelError, match=r"with_parameters.*'b': parameter rhoA -1 is negative"):
+        m.build().with_parameters({"b.rhoA": -1.0})
