@@ -175,7 +175,7 @@ class DenseRun(Run):
     def _store(self, step: Stretch, end: float, z: Array) -> None:
         """Store the states at the times passed by the step, at whose end the internal states are z."""
         states = self.result.states
-        while len(states) < self.times.size and self.until <= end:
+        while self.more_times and self.until <= end:
             at_end = self.until == step.last.t
             found = step.end(z) if at_end else step.pending(self.until)
             states.append(found.state() if self._at_once else found)

@@ -124,14 +124,24 @@ class Run(ABC):
         return len(self.result.states)
 
     @property
+    def more_times(self) -> bool:
+        """Whether there is another time at which a state is stored."""
+        return len(self.result.states) < self.times.size
+
+    @property
     def until(self) -> float:
         """The next time at which a state is stored."""
         return float(self.times[len(self.result.states)])
 
     @property
     def stop(self) -> float:
-        """When the next step ends at the latest: at the end, a knot, or an instant of a sampled controller."""
+        """When the next step ends at the latest: at the end, a knot, or an instant of a sampled controller.
+
+        A knot that only rounding separates from a stored time is at that time.
+        """
         end = min(float(self.times[-1]), self.knots.end)
+        if self.knots.any and self.more_times and self.knots.near(self.until, end):
+            end = self.until
         return min(end, self.sampling.stop(self.t, self.times)) if self.sampling.all else end
 
     @property
@@ -193,7 +203,7 @@ class Run(ABC):
 
     def _pass_knots(self) -> None:
         """Cross the knot at the current time if there is one, and look for the next."""
-        if self.t < self.knots.end:
+        if self.t < self.knots.end and not self.knots.near(self.t, self.knots.end):
             self.knots.look(self.t)
             return
         jumped, self.smooth_since = self.knots.cross(self.t), self.t

@@ -99,6 +99,10 @@ class Knots:
         """Return the distance [s] from a knot at which functions are evaluated."""
         return ASIDE * max(abs(t), self._size)
 
+    def near(self, t: float, knot: float) -> bool:
+        """Whether a time is that of a knot, but for rounding: functions are evaluated further aside."""
+        return abs(t - knot) <= self._aside(t) / 2
+
     @property
     def any(self) -> bool:
         """Whether there are functions that may have knots."""

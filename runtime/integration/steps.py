@@ -236,7 +236,14 @@ class GeneralizedAlpha(Run):
             return self._end_at(*terminal)
         if self.t >= self.until:
             self.keep()
+            self._keep_close()
         return None
+
+    def _keep_close(self) -> None:
+        """Store the state just stored at the next times too, if no step leads from here to these."""
+        while self.more_times and self.until - self.t < self.shortest:
+            self.result.states.append(replace(self.result.states[-1], t=self.until))
+            self.energy_balance.keep()
 
     def _replayed(self, t0: float, t1: float) -> Replayed:
         """Return a stretch of the motion, or its present step, with the states within it."""

@@ -194,3 +194,31 @@ def test_a_motion_continues_from_a_knot_with_the_same_digits() -> None:
     half = s.simulate(7, method="DOP853", samples=8)
     rest = s.simulate(3, start=half[-1], method="DOP853", samples=4)
     assert rest["A.x"][-1] == pytest.approx(whole["A.x"][-1], rel=1e-13)
+
+
+def loaded_pendulum(knot: float) -> fx.System:
+    """A pendulum with a load that grows up to a knot [s]."""
+    m = fx.Model(gravity=(0, -9.81))
+    m.truss("rod", m.point("O", (0, 0), fixed=True), m.point("A", (1, 0)))
+    m.point_mass("bob", "A", 1.0)
+    m.load("A.x", fx.Ramp(0, knot, 0, 5.0))
+    return m.build()
+
+
+@pytest.mark.parametrize("method", ["DOP853", "Radau", "generalized-alpha"])
+@pytest.mark.parametrize("aside", [-1, 0, 1])
+def test_a_stored_time_that_rounding_separates_from_a_knot(method: str, aside: int) -> None:
+    """No step of 1e-16 s leads from one to the other; generalized-alpha could not continue there."""
+    times = np.linspace(0, 2, 21)
+    system = loaded_pendulum(float(np.nextafter(times[7], aside * np.inf)) if aside else float(times[7]))
+    motion = system.simulate(2.0, times=times, method=method, rtol=1e-6)
+    assert np.array_equal(motion.t, times)
+    exact = system.simulate(2.0, times=times, method="DOP853", rtol=1e-12)
+    assert motion["A.x"] == pytest.approx(exact["A.x"], abs=1e-3)
+
+
+def test_stored_times_that_are_next_to_each_other() -> None:
+    times = [0.0, 0.3, float(np.nextafter(0.3, 1)), 0.3 + 1e-13, 1.0, 1.0 + 1e-12, 2.0]
+    motion = loaded_pendulum(0.7).simulate(2.0, times=times, method="generalized-alpha", rtol=1e-4)
+    assert motion.t.tolist() == times
+    assert np.ptp(motion["A.x"][1:4]) < 1e-12 and np.ptp(motion["A.x"][4:6]) < 1e-11
