@@ -60,6 +60,8 @@ def passages(
         for t in crossings(function, about, ends, event.direction):
             if t > begun:
                 found.append((event, at(t)))
+            else:
+                samples.starts_at(number, t)
     return sorted(found, key=lambda passage: passage[1].t), after
 
 

@@ -94,6 +94,10 @@ class EventSamples:
             return np.inf
         return max(abs(value - self._values[-1][number]), max(slopes) * (t - self._times[-1])) or np.inf
 
+    def starts_at(self, number: int, t: float) -> None:
+        """Note that the motion starts at an event, found at a time [s], that is not reported again."""
+        self._reported[number].append(max(t, float(np.nextafter(self._times[-1], np.inf))))
+
     def note(self, t: float, values: Sequence[float], found: Sequence[tuple[Event, State]]) -> None:
         """Keep the functions at the end of a step, and the events that were found in it, in the order of time."""
         for own, before, after in zip(self._slopes, self._values[-1], values, strict=True):

@@ -263,3 +263,15 @@ def test_a_condition_is_an_event_where_it_begins_or_ceases_to_hold(method: str) 
     assert len(passages) == 3
     assert times(lambda state: state["A.x"] < 0) == pytest.approx(passages, abs=1e-9)
     assert times(lambda state: state["A.x"] < 0, 1) == pytest.approx(passages[::2], abs=1e-9)
+
+
+def test_a_motion_that_goes_on_from_an_event_has_not_missed_it() -> None:
+    """Where it was located, its function may have the sign from before."""
+    m = fx.Model(gravity=(0, -9.81))
+    m.point_mass("mass", m.point("A", (0, 1)), 1.0)
+    system = m.build()
+    for height in np.linspace(0.05, 0.95, 19):
+        events = [fx.Event("low", lambda s, height=height: s["A.y"] - height, terminal=True)]
+        first = system.simulate(2.0, events=events)
+        second = system.simulate(1.0, start=first[-1], events=events)
+        assert len(first.events) == 1 and not second.events and second.warnings == ()
