@@ -18,6 +18,7 @@ from flexel.base.arguments import LARGEST, number, positive, vector
 from flexel.base.arrays import Array, Index
 from flexel.base.blas import in_one_thread
 from flexel.base.shown import listed, prints
+from flexel.base.time_functions import just_after
 from flexel.engine.evaluate import Evaluation
 from flexel.mechanics import dynamics, states
 from flexel.mechanics.amplification import amplification, lost, warn_replaced
@@ -61,7 +62,8 @@ class CoreSystem:
         guess = Snapshot(start.t, start.x, np.zeros(self.structure.n), start.e, none)
         q = self.kinematics.values(start.e, start.x)[roles.dofs]
         rates_at = partial(consistent_rates, self.kinematics, rates=rates)
-        x, v, e = states.located(self.kinematics, start.t, q, rates_at, guess)
+        begun = just_after(self.kinematics.time_functions, start.t)
+        x, v, e = states.located(self.kinematics, begun, q, rates_at, guess)
         self._start = Snapshot(start.t, x, v, e, none)
 
     def _prepare(self, evaluation: Evaluation, loads: Loads, roles: Roles) -> None:
@@ -107,7 +109,9 @@ class CoreSystem:
 
     def _complete_start(self) -> State:
         c = self._start
-        return dynamics.complete(self.kinematics, c.t, c.x, c.v, c.e, self.structure.z0)
+        begun = just_after(self.kinematics.time_functions, c.t)
+        found = dynamics.complete(self.kinematics, begun, c.x, c.v, c.e, self.structure.z0)
+        return found if begun == c.t else replace(found, t=c.t)
 
     @property
     def unaccelerated(self) -> State:

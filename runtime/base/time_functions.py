@@ -8,7 +8,7 @@ enough where no rates are needed, as for a load.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any, Protocol, TypeVar, runtime_checkable
@@ -26,6 +26,7 @@ from flexel.base.switching import next_switch, on_switch
 from flexel.base.time_tables import Table
 
 Found = TypeVar("Found")
+AFTER = 1e-14  # distance from a start at which a function is evaluated, relative to the time, or to a second
 DIFFERENCE = 1e-6  # times between which a rate is a difference, relative to the time, or to a second
 
 
@@ -190,6 +191,12 @@ def on_knot(function: object, t: float, within: float) -> bool:
     """Whether a function of time is known not to be smooth within a given time [s] of t."""
     there: Callable[[float, float], bool] | None = getattr(function, "on_knot", None)
     return there is not None and there(t, within)
+
+
+def just_after(functions: Iterable[object], t: float) -> float:
+    """Return a time [s], or one just after it if a function is not smooth there: what a motion from there sees."""
+    after = t + AFTER * max(abs(t), 1.0)
+    return after if any(on_knot(f, t, after - t) for f in functions) else t
 
 
 def value_of(function: TimeFunction, t: float) -> float:

@@ -1,6 +1,7 @@
 """How a motion starts where a prescribed motion already has a velocity."""
 
 import logging
+from typing import Any
 
 import numpy as np
 import pytest
@@ -94,3 +95,27 @@ def test_a_ramp_that_begins_at_the_start_does_not_jump(caplog: pytest.LogCapture
     m.point_mass("other", "B", 1.0)
     m.build().simulate(0.1, samples=2)
     assert "jump" not in caplog.text
+
+
+@pytest.mark.parametrize(
+    "drive",
+    [
+        lambda t: t,
+        lambda t: abs(t),
+        lambda t: np.where(t > 0, t, 0),
+        lambda t: np.maximum(t, 0),
+        lambda t: t if t > 0 else 0 * t,
+        fx.Table([-1, 0, 2], [0, 0, 2], kind="linear"),
+    ],
+)
+def test_a_drive_with_a_kink_at_the_start_has_its_rate_just_after(drive: Any) -> None:
+    """Equal for t ≥ 0: the machine runs as a whole; it was hit by the drive where the formula has a kink at t = 0."""
+    m = fx.Model()
+    m.truss("t", m.point("w", (0, 0)), m.point("b", (10, 0)), stiffness=4.0)
+    m.fix("w.y", "b.y")
+    m.point_mass("mass", "b", 1.0)
+    m.prescribe("w.x", drive)
+    system = m.build()
+    assert system.initial.t == 0.0 and system.initial.rate("w.x") == pytest.approx(1.0, abs=1e-12)
+    assert system.initial.rate("b.x") == pytest.approx(1.0, abs=1e-12)
+    assert system.simulate(1.0)["b.x"][-1] == pytest.approx(11.0, abs=1e-9)
