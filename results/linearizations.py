@@ -166,12 +166,15 @@ class RootLoci:
         The equations that have these eigenvalues.
     unit : str
         Of the values.
+    matrix_at : callable(float) -> ndarray (n, n), optional
+        The state matrix at any value of the parameter, where the loci run over one alone.
     """
 
     name: str
     values: Array
     linearizations: Linearizations
     unit: str = ""
+    matrix_at: Callable[[float], Array] | None = field(default=None, repr=False)
 
     @prints
     def __repr__(self) -> str:
@@ -187,7 +190,8 @@ class RootLoci:
         """Return the branches of each variant; of all together if the loci run over a parameter."""
         own, A = self.linearizations, self.linearizations.state_matrices
         labels = own.dynamic + own.dofs + own.internal
-        return [Branches.of(self.values, matrix, labels) for matrix in (A if own.rates else [A])]
+        found = [Branches.of(self.values, matrix, labels) for matrix in (A if own.rates else [A])]
+        return [replace(branches, exact=self.matrix_at) for branches in found]
 
     @in_one_thread
     def branches(self, variant: int = 0) -> Branches:

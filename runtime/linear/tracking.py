@@ -9,7 +9,7 @@ eigenvalues decides.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import pairwise
 from typing import Any
@@ -26,6 +26,10 @@ SHARE_DIGITS = 6  # of shares that are compared: beyond is rounding
 EQUAL_TOLERANCE = 1e-6
 ZERO_TOLERANCE = 1e-7  # of the largest eigenvalue: smaller real parts may come from rounding
 MIN_SIMILARITY = 0.1  # similarity of two shapes below which one does not continue the other
+AT_ROOT = (
+    1e-6  # real part at a boundary, relative to the eigenvalues around it, that is no jump to another branch
+)
+FINER = 17  # values between two neighbours of the parameter, where these are too far apart
 POINTS = 4  # number of neighbours for the interpolation between values of the parameter
 
 _eig: Any = eig
@@ -66,6 +70,8 @@ class Branches:
         Share of each state (last axis) in each branch, by left and right eigenvectors.
     labels : tuple of str
         Names of the states to which the shares belong.
+    exact : callable(float) -> ndarray (n, n), optional
+        The state matrix at any value of the parameter.
     """
 
     parameter: Array
@@ -73,6 +79,7 @@ class Branches:
     matrices: Array | None = field(default=None, repr=False)
     shares: Array | None = field(default=None, repr=False)
     labels: tuple[str, ...] = ()
+    exact: Callable[[float], Array] | None = field(default=None, repr=False, compare=False)
 
     @classmethod
     def of(cls, parameter: Array, given: Any, labels: Sequence[str] = ()) -> Branches:
@@ -163,7 +170,8 @@ class Branches:
         becomes a divergence.
 
         The state matrix is interpolated through four neighbours, which is exact for a polynomial of third degree, such
-        as equations over a speed; without matrices, the eigenvalues are interpolated.
+        as equations over a speed; over a parameter it is computed again at each value that is tried. Without matrices,
+        the eigenvalues are interpolated.
         """
         w, found = self.eigenvalues, list[Boundary]()
         floor = ZERO_TOLERANCE * float(np.nanmax(np.abs(w), initial=0.0))
@@ -204,7 +212,24 @@ class Branches:
         """Return the value of the parameter between two where branch j has a real part, and its frequency there."""
         at = self._between(i, k, j)
         root = float(_brentq(lambda p: at(p).real - level, *self.parameter[[i, k]], xtol=1e-14))
-        return root, abs(at(root).imag)
+        there = at(root)
+        if self.exact is None or abs(there.real - level) <= AT_ROOT * float(
+            np.abs(self.eigenvalues[[i, k], j]).max()
+        ):
+            return root, abs(there.imag)
+        return self._refined(i, k, j, self.exact, level) or (root, abs(there.imag))
+
+    def _refined(
+        self, i: int, k: int, j: int, exact: Callable[[float], Array], level: float
+    ) -> tuple[float, float] | None:
+        """Return the same by values between two that are too far apart to follow the branch; None if they are close."""
+        first, last = self.parameter[[i, k]].tolist()
+        if abs(last - first) <= AT_ROOT * max(abs(first), abs(last)):
+            return None
+        values = np.linspace(first, last, FINER)
+        fine = replace(Branches.of(values, np.array([exact(p) for p in values.tolist()])), exact=exact)
+        own = int(np.argmin(np.abs(fine.eigenvalues[0] - self.eigenvalues[i, j])))
+        return next(fine._crossings([own], level), None)
 
     def _between(self, i: int, k: int, j: int) -> Callable[[float], complex]:
         """Interpolate the branch j between its values i and k of the parameter."""
@@ -217,11 +242,17 @@ class Branches:
             found = np.tensordot(_lagrange(p, value), values, axes=1)
             if self.matrices is None:
                 return complex(found)
-            w = np.linalg.eigvals(found)
             share = (value - ends[0][0]) / (ends[0][1] - ends[0][0])
-            return complex(w[np.argmin(np.abs(w - (ends[1][0] + share * (ends[1][1] - ends[1][0]))))])
+            near = _nearest(found, ends[1][0] + share * (ends[1][1] - ends[1][0]))
+            return near if self.exact is None else _nearest(self.exact(value), near)
 
         return at
+
+
+def _nearest(A: Array, value: complex) -> complex:
+    """Return the eigenvalue of a matrix that is nearest to a value."""
+    w = np.linalg.eigvals(A)
+    return complex(w[np.argmin(np.abs(w - value))])
 
 
 def _neighbours(p: Array, known: NDArray[np.bool_], i: int, k: int) -> Index:

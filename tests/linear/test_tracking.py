@@ -164,3 +164,37 @@ def test_of_modes_that_are_equal_up_to_rounding_the_first_is_among_the_lowest(of
     assert ranks(values)[1].tolist() == [0, 2, 3, 1]
     assert among_lowest(values, 3).tolist() == [True, True, True, True]
     assert among_lowest(values[1:2], 3).tolist() == [True, True, False, True]
+
+
+def inverted(length: float = 1.0) -> fx.System:
+    """A pendulum of 1 kg upright on a damped spring of 5 N m/rad: stable while m g L is less."""
+    m = fx.Model(gravity=(0, -9.81))
+    m.point("O", (0, 0), fixed=True)
+    m.hinge("h", m.angle("g", fixed=True), m.angle("arm"))
+    m.beam("r", "O", "arm", m.point("T", (0, length)))
+    m.point_mass("m", "T", 1.0)
+    m.spring("h.angle", 5.0, 0.2)
+    return m.build()
+
+
+@pytest.mark.parametrize("count", [5, 9, 17])
+def test_boundaries_over_a_parameter_are_exact_however_few_values_there_are(count: int) -> None:
+    """5 / 9.81, over a length and over a mass; 7 % off with nine lengths, by a cubic through four matrices."""
+    system = inverted()
+    lengths = {"T.position[1]": np.linspace(0.2, 1.5, count)}
+    masses = {"m.mass": np.linspace(1.0, 0.2, count)}
+    for loci in (
+        system.root_loci(lambda s: s.initial, parameters=lengths),
+        system.root_loci(system.initial, parameters=masses, of=["h.angle"]),
+    ):
+        (found,) = loci.branches().boundaries()
+        assert found.value == pytest.approx(5 / 9.81, rel=1e-12)
+        assert found.frequency == 0.0
+
+
+@pytest.mark.parametrize("values", [[1.0, 0.2, 0.8], [0.2, 0.4, 0.4, 0.6], [0.3, 0.2, 0.3]])
+def test_values_must_increase_or_decrease(values: list[float]) -> None:
+    with pytest.raises(
+        fx.ModelError, match=r"values of 'm.mass' must increase, or decrease: 0\.\d comes after 0\.\d"
+    ):
+        inverted().root_loci(inverted().initial, parameters={"m.mass": values})
