@@ -178,7 +178,7 @@ class MatrixAt:
         """Return the state matrix (n, n) at a value of the parameter."""
         values = Values(self._system, {self._name: [value]}, {}, "root_loci")
         found = _linearized(self._system, values, self._many, "root_loci", 1, False)
-        return (found if self._of is None else found.reduced(self._of)).state_matrices[0]
+        return np.asarray((found if self._of is None else found.reduced(self._of)).state_matrices[0])
 
 
 def _check_lasting(found: Linearizations) -> None:

@@ -249,7 +249,7 @@ class Branches:
         return at
 
 
-def _nearest(A: Array, value: complex) -> complex:
+def _nearest(A: Any, value: complex) -> complex:
     """Return the eigenvalue of a matrix that is nearest to a value."""
     w = np.linalg.eigvals(A)
     return complex(w[np.argmin(np.abs(w - value))])
