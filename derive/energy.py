@@ -47,6 +47,8 @@ def real_everywhere(stress: Expr, stored: Expr, e: Symbol) -> Expr | None:
         lambda part: part.is_Pow and part.exp.is_Rational and not part.exp.is_Integer and part.base.has(e),
         lambda part: sp.Max(part.base, 0) ** part.exp,
     )
+    if clipped == stored:
+        return stored
     return next((form for form in (stored, clipped) if _is_integral(stress, form, e)), None)
 
 

@@ -79,6 +79,8 @@ _UNARY: dict[Any, Callable[[float], tuple[float, float, float]]] = {
     np.absolute: lambda u: (abs(u), float(np.sign(u)), 0.0),
     np.sign: lambda u: (float(np.sign(u)), 0.0, 0.0),
     np.floor: lambda u: (np.floor(u), 0.0, 0.0),
+    np.rint: lambda u: (np.rint(u), 0.0, 0.0),
+    np.trunc: lambda u: (np.trunc(u), 0.0, 0.0),
     np.ceil: lambda u: (np.ceil(u), 0.0, 0.0),
     np.negative: lambda u: (-u, -1.0, 0.0),
     np.positive: lambda u: (u, 1.0, 0.0),
@@ -165,6 +167,35 @@ class Jet:
     def __rtruediv__(self, o: Any) -> Jet:
         return as_jet(o) * self**-1
 
+    def __floor__(self) -> Jet:
+        return np.floor(self)  # type: ignore[no-any-return]
+
+    def __ceil__(self) -> Jet:
+        return np.ceil(self)  # type: ignore[no-any-return]
+
+    def __int__(self) -> int:
+        _note(_to_whole(self))
+        return int(self.value)
+
+    __trunc__ = __int__
+
+    def __round__(self, digits: int | None = None) -> Jet:
+        size = 10.0 ** (digits or 0)
+        _note(_to_whole(self * size + 0.5))
+        return Jet(float(round(self.value, digits or 0)))
+
+    def __floordiv__(self, o: Any) -> Jet:
+        return np.floor(self / o)  # type: ignore[no-any-return]
+
+    def __rfloordiv__(self, o: Any) -> Jet:
+        return np.floor(o / self)  # type: ignore[no-any-return]
+
+    def __mod__(self, o: Any) -> Jet:
+        return self - as_jet(o) * (self // o)
+
+    def __rmod__(self, o: Any) -> Jet:
+        return as_jet(o) % self
+
     def __abs__(self) -> Jet:
         _note(self)
         return self.chain(*_UNARY[np.absolute](self.value))
@@ -229,13 +260,19 @@ def _clipped(x: Jet, least: Any = None, most: Any = None) -> Any:
 
 
 # NumPy functions that are not universal functions and are implemented separately for jets
-_FUNCTIONS: dict[Any, Callable[..., Any]] = {np.interp: _interpolated, np.clip: _clipped}
+_FUNCTIONS: dict[Any, Callable[..., Any]] = {
+    np.interp: _interpolated,
+    np.clip: _clipped,
+    np.round: lambda x, decimals=0: round(x, decimals),
+}
 
 # quantities that are zero where a NumPy function of one argument is not smooth
 _KINKED: dict[Any, Callable[[Jet], Jet]] = {
     np.absolute: lambda u: u,
     np.sign: lambda u: u,
     np.floor: _to_whole,
+    np.trunc: _to_whole,
+    np.rint: lambda u: _to_whole(u + 0.5),
     np.ceil: _to_whole,
 }
 
@@ -252,5 +289,6 @@ _BINARY: dict[Any, Callable[[Jet, Jet], Any]] = {
     np.maximum: lambda a, b: a if a >= b else b,
     np.minimum: lambda a, b: a if a <= b else b,
     np.heaviside: lambda a, b: Jet(0.0) if a < 0.0 else Jet(1.0) if a > 0.0 else b,
-    np.mod: lambda a, b: a - b * _applied(np.floor, a / b),
+    np.mod: lambda a, b: a % b,
+    np.floor_divide: lambda a, b: a // b,
 }
