@@ -191,7 +191,8 @@ class Jet:
         return np.floor(o / self)  # type: ignore[no-any-return]
 
     def __mod__(self, o: Any) -> Jet:
-        return self - as_jet(o) * (self // o)
+        found: Jet = self - as_jet(o) * (self // o)
+        return found
 
     def __rmod__(self, o: Any) -> Jet:
         return as_jet(o) % self
