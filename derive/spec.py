@@ -221,3 +221,9 @@ class LawSpec:
     begins: tuple[BeginSpec, ...] = ()
     arguments: tuple[ArgumentSpec, ...] = ()
     timed: bool = False  # its stresses or rates depend on time
+
+    @property
+    def stores(self) -> bool:
+        """Whether it may store energy: it declares one, or its kernels are not known."""
+        outputs = self.kernels["law"].outputs if self.kernels else ()
+        return not outputs or any(output.name == "U" and output.nonzeros for output in outputs)

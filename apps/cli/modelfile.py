@@ -10,6 +10,7 @@ A Python file is run as a program whose ``__name__`` is that of the file, so cod
 
 from __future__ import annotations
 
+import inspect
 from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -58,4 +59,10 @@ def options_in(names: Mapping[str, Any], path: Path) -> dict[str, Any]:
         raise click.ClickException(
             f"{path}: simulate is {options!r}; make it a dict of options such as {{'duration': 2.0}}"
         )
+    from flexel.base.arguments import unknown
+    from flexel.results.analyses.motions import simulate
+
+    known = [name for name in inspect.signature(simulate).parameters if name != "system"]
+    if wrong := [name for name in options if name not in known]:
+        raise click.ClickException(f"{path}: simulate: {unknown(wrong[0], known, 'option')}")
     return dict(options)

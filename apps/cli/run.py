@@ -68,7 +68,7 @@ class RunOptions:
     help="Write the motion so far to a file in DIR every 30 s; the same command continues from it.",
 )
 @click.option(
-    "--mode", type=int, metavar="N", help="Mode of analysis of a SPACAR file: 0, 1, 2, 4, 7, 8, 9 or 10."
+    "--mode", type=int, metavar="N", help="Mode of analysis of a SPACAR file: 0, 1, 2, 3, 4, 7, 8, 9 or 10."
 )
 @click.option(
     "--dialect",

@@ -103,6 +103,8 @@ class Values:
 
     def _count(self, columns: Mapping[str, Array]) -> int:
         sizes = {name: len(rows) for name, rows in columns.items() if len(rows) != 1}
+        if empty := [name for name, size in sizes.items() if not size]:
+            raise ModelError(f"{self._owner}: no values of '{empty[0]}' are given; give at least one")
         if len(set(sizes.values())) > 1:
             listed = ", ".join(f"'{name}' {size}" for name, size in sizes.items())
             raise ModelError(

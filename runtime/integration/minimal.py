@@ -485,6 +485,12 @@ class MinimalRun(DenseRun):
                 f"up): {why}give "
                 f"those frames inertia{driven}, or end the motion before {self.t:g} s"
             )
+        if light := self.kinematics.hardly_moves(self.now):
+            return (
+                f"a motion of '{light}' moves almost no mass there, as where two axes of a gimbal coincide and its "
+                f"angles are undetermined: {why}let it pass further from that position, measure angles about axes in "
+                f"another order, give the frames between inertia{driven}, or end the motion before {self.t:g} s"
+            )
         return (
             f"degrees of freedom {names(roles.dynamic)}: the motion is not smooth there; {why}check its loads and "
             f"laws{driven}, or end it before {self.t:g} s"

@@ -31,9 +31,13 @@ from flexel.mechanics.inertia import massless, unmoved
 from flexel.model.applied_loads import Loads
 from flexel.model.callbacks import raise_failures
 from flexel.model.role_lists import Roles
+from flexel.model.snapshot import Snapshot
 from flexel.model.structure import Structure
 
 SIZES = 1e-5, 1e5  # least and largest extent of a model [m], see `check_size`
+HARDLY = (
+    1e-6  # inertia of a motion, relative to the largest one, in natural scales, that names its coordinate
+)
 SHOWN = 6  # laws named in a message
 T = TypeVar("T")
 
@@ -131,14 +135,14 @@ class Kinematics:
 
     @cached_property
     def kept_at_start(self) -> tuple[Index, Index]:
-        """Free deformations that keep their values at the start if possible: those with laws, and the others.
+        """Free deformations that keep their values at the start if possible: those with laws that store energy, and others.
 
         Contacts are left out: touching bodies may slide and separate.
         """
         structure, roles = self.structure, self.roles
-        acting = [[structure.find(name) for name in law.deformations] for law in structure.laws]
-        touching = {i for rows in acting if any(structure.kinds[i] == "gap" for i in rows) for i in rows}
-        elastic = {i for rows in acting for i in rows} - touching
+        acting = [([structure.find(name) for name in law.deformations], law) for law in structure.laws]
+        touching = {i for rows, _ in acting if any(structure.kinds[i] == "gap" for i in rows) for i in rows}
+        elastic = {i for rows, law in acting if law.spec.stores for i in rows} - touching
         others = {i for i in range(structure.m) if structure.kinds[i] not in ("gap", "norm")} - touching
         held = {*roles.holonomic.tolist(), *roles.zero.tolist()}
         levels = (sorted(level - held) for level in (elastic, others - elastic))
@@ -264,6 +268,21 @@ class Kinematics:
         nf = self.structure.nf
         H, M = choice.H, self.evaluation.matrix(self.evaluation.tables.M, choice.work.M)[:nf, :nf]
         return np.asarray(H.T @ (M @ H))
+
+    def hardly_moves(self, at: Snapshot) -> str:
+        """Return the degree of freedom whose motion moves almost no mass at an instant; empty if there is none."""
+        choice = self.given(at.t)
+        choice.reset()
+        work = choice.work
+        work.x[:], work.unwrap_from[:], choice.qd[:] = at.x, at.e, 0.0
+        work.position()
+        work.inertia()
+        if self.lists.saddle or not self.roles.nd or choice.directions():
+            return ""
+        scales = self.scales(self.roles.dynamic)
+        w, V = np.linalg.eigh(scales[:, None] * self._reduced_mass(choice) * scales)
+        row = self.roles.dynamic[int(np.argmax(np.abs(V[:, 0])))]
+        return self.structure.names[row] if w[0] < HARDLY * w[-1] else ""
 
     def _unreached(self, t: float, choice: CoordinateWork) -> str:
         """Write the message for a position that was not reached."""

@@ -134,8 +134,12 @@ def test_a_file_may_import_its_neighbour_and_guard_its_program(tmp_path: Path) -
         (PENDULUM.replace("2.0)", "2.0"), "pendulum.py, line 7: '(' was never closed"),
         (PENDULUM + "1 / 0\n", "pendulum.py, line 9: ZeroDivisionError: division by zero"),
         (PENDULUM + "simulate = 3\n", "simulate is 3; make it a dict"),
+        (
+            PENDULUM + "simulate = {'duraton': 2.0}\n",
+            "simulate: unknown option 'duraton'; did you mean duration?",
+        ),
         (PENDULUM + "simulate = {'duration': -1.0}\n", "duration -1 s is not positive"),
-        (PENDULUM + "simulate = {'length': 1.0, 'duration': 1.0}\n", "unexpected keyword argument 'length'"),
+        (PENDULUM + "simulate = {'length': 1.0, 'duration': 1.0}\n", "simulate: unknown option 'length'"),
         (PENDULUM + "model.spring('pivot.angel', 1.0)\n", "'pivot.angel'"),
         (PENDULUM + "def main(out):\n    raise OSError('full')\n", "line 10: OSError: full"),
     ],

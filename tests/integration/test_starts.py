@@ -119,3 +119,15 @@ def test_a_drive_with_a_kink_at_the_start_has_its_rate_just_after(drive: Any) ->
     assert system.initial.t == 0.0 and system.initial.rate("w.x") == pytest.approx(1.0, abs=1e-12)
     assert system.initial.rate("b.x") == pytest.approx(1.0, abs=1e-12)
     assert system.simulate(1.0)["b.x"][-1] == pytest.approx(11.0, abs=1e-9)
+
+
+def test_friction_on_a_moving_belt_stretches_no_spring_at_the_start() -> None:
+    """The block started with half the speed of the belt, between its spring and the friction law, which has no length."""
+    m = fx.Model()
+    m.rigid_body("belt", (0, 0), mass=1.0, inertia=1.0)
+    m.prismatic("guide", "ground", "belt", axis=(1, 0))
+    m.rigid_body("block", (0, 1), mass=1.0, inertia=1.0)
+    m.prismatic("slide", "belt", "block", axis=(1, 0), friction=(5.0, 1e-3))
+    m.spring("block.x", 100.0)
+    m.prescribe("guide.along", lambda t: 0.1 * t)
+    assert m.build().initial.rate("block.x") == pytest.approx(0.0, abs=1e-12)
