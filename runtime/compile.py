@@ -10,13 +10,14 @@ from typing import TypeVar
 
 from flexel.base.arguments import number
 from flexel.base.callers import outside
-from flexel.base.errors import AssemblyWarning, ModelError, ModelWarning
+from flexel.base.errors import AssemblyWarning, ConstraintError, ModelError, ModelWarning
 from flexel.engine.evaluate import Evaluation
 from flexel.mechanics.diagnose import choose_dofs, named_dofs
 from flexel.mechanics.findings import Finding
 from flexel.mechanics.first_position import first_position
 from flexel.mechanics.kinematics import Kinematics, check_size, size_of
 from flexel.mechanics.reference_misfit import misfit
+from flexel.mechanics.singular_drawing import singular_drawing
 from flexel.mechanics.suspects import suspects
 from flexel.model.applied_loads import Loads
 from flexel.model.lowering import Lowering
@@ -55,7 +56,10 @@ def build(model: Lowering, t: float, kind: type[Built]) -> Built:
         warnings.warn(str(wrong), AssemblyWarning, stacklevel=outside())
     dynamic = named_dofs(structure, model.dynamic, "independent")
     kinematic = named_dofs(structure, model.kinematic, "kinematic")
-    chosen = replace(choose_dofs(kinematics, c.J, dynamic, kinematic), named=bool(model.dynamic))
+    try:
+        chosen = replace(choose_dofs(kinematics, c.J, dynamic, kinematic), named=bool(model.dynamic))
+    except ConstraintError as error:
+        raise (singular_drawing(kinematics, c) or error) from None
     system = kind(evaluation, loads, chosen, c, model.rates)
     _warn(suspects(model, structure, size_of(structure)))
     log.info("%s; degrees of freedom %s", system, "chosen" if model.dynamic is None else "as named")

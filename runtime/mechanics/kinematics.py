@@ -135,7 +135,7 @@ class Kinematics:
 
     @cached_property
     def kept_at_start(self) -> tuple[Index, Index]:
-        """Free deformations that keep their values at the start if possible: those with laws that store energy, and others.
+        """Free deformations that keep their values at a start if possible: those that store energy, and the others.
 
         Contacts are left out: touching bodies may slide and separate.
         """

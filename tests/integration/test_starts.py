@@ -122,7 +122,7 @@ def test_a_drive_with_a_kink_at_the_start_has_its_rate_just_after(drive: Any) ->
 
 
 def test_friction_on_a_moving_belt_stretches_no_spring_at_the_start() -> None:
-    """The block started with half the speed of the belt, between its spring and the friction law, which has no length."""
+    """The block started with half the speed of the belt: the friction law counted like the spring."""
     m = fx.Model()
     m.rigid_body("belt", (0, 0), mass=1.0, inertia=1.0)
     m.prismatic("guide", "ground", "belt", axis=(1, 0))
