@@ -1,4 +1,4 @@
-"""Tells a drawing in a singular position from a mechanism with too many constraints: elsewhere these are independent."""
+"""Tells a drawing in a singular position from a mechanism with too many constraints, which has them elsewhere too."""
 
 from __future__ import annotations
 

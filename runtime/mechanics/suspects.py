@@ -22,7 +22,7 @@ SOFTEST, STIFFEST = 1e6, 2e12  # Young's modulus [Pa]: soft rubber, twice diamon
 LIGHTEST, HEAVIEST = 10.0, 3e4  # density [kg/m³]: foam, beyond osmium
 GRAVITY = 300.0  # [m/s²], above that of Jupiter and the sun; 9810 would be mm/s²
 ROUND_DEGREES = 15  # of which round angles are multiples
-MASSES = ("mass", "rho")  # how the names of parameters begin that are masses, or masses per length
+MASS_UNIT = "kg"  # how the units of parameters begin that are masses, or masses per length
 TURNS = 4 * np.pi  # an initial angle beyond two turns is probably in degrees
 SLENDER = 1.0  # depth of a section over the size of the model
 FOLLOWING = 1.0  # length of a cable's element over the radius of a circle
@@ -77,6 +77,12 @@ def _units(message: str) -> Finding:
     return Finding("warning", "units", message)
 
 
+def _has_mass(instance: Instance) -> bool:
+    """Whether a parameter of an element that is a mass is not zero."""
+    masses = [p.name for p in instance.spec.parameters if p.unit.startswith(MASS_UNIT)]
+    return any(np.any(instance.parameters[name]) for name in masses)
+
+
 def _gravity(model: Lowering, structure: Structure) -> Iterator[Finding]:
     g = float(np.linalg.norm(model.gravity))
     if g > GRAVITY:
@@ -88,8 +94,8 @@ def _gravity(model: Lowering, structure: Structure) -> Iterator[Finding]:
             "loads",
             f"gravity along z does not act in a planar model, whose points are (x, y); give gravity=(0, {-g:.4g})",
         )
-    heavy = [instance.parameters for instance in structure.instances if "gravity" in instance.parameters]
-    if g and heavy and not any(np.any(p[name]) for p in heavy for name in p if name.startswith(MASSES)):
+    heavy = [instance for instance in structure.instances if "gravity" in instance.parameters]
+    if g and heavy and not any(map(_has_mass, heavy)):
         yield Finding(
             "warning", "loads", "gravity acts on no mass; give masses to bodies, points, beams or trusses"
         )
