@@ -49,6 +49,7 @@ def with_parameters(system: C, values: Mapping[str, Any]) -> C:
     given = Values(system, values, {}, "with_parameters")
     if given.count != 1:
         raise ModelError(f"with_parameters: {given.count} values; give one for each parameter")
+    given.check_elements(system)
     return variant_of(system, given, 0)
 
 

@@ -138,24 +138,12 @@ def root_loci(
     run = axis[name]
     if run.ndim != 1:
         raise ModelError(f"root_loci: '{name}' has several components; let the loci run over '{name}[0]'")
-    _check_order(name, run)
     full = f"{name}'" if found.rates else name
     unit = history(system.structure, full).unit if found.rates else values.units[name]
     _check_lasting(found)
     alone = not found.rates and len(found.parameters) == 1
     again = MatrixAt(system, many, name, of) if alone else None
     return RootLoci(full, run, found if of is None else found.reduced(of), unit, again)
-
-
-def _check_order(name: str, run: Array) -> None:
-    """Raise a ModelError for values along which branches cannot be followed."""
-    steps = np.diff(run)
-    if np.all(steps > 0) or np.all(steps < 0):
-        return
-    i = int(np.flatnonzero(np.sign(steps) != np.sign(run[-1] - run[0]))[0]) if run[-1] != run[0] else 0
-    raise ModelError(
-        f"root_loci: the values of '{name}' must increase, or decrease: {run[i + 1]:g} comes after {run[i]:g}"
-    )
 
 
 class MatrixAt:

@@ -91,15 +91,21 @@ class Values:
         self._check_signs(parameters)
 
     def _check_signs(self, parameters: Parameters) -> None:
-        targets = [target for place in self.places for target in place.targets]
-        parts = {(target.law, target.owner): parameters.owner(target) for target in targets}
-        if not any(p.sign for part in parts.values() for p in part.spec.parameters):
+        """Check the signs of the parameters of laws; a wrong one of an element fails its variant alone."""
+        if not any(target.law for place in self.places for target in place.targets):
             return
         for i in range(self.count):
-            for part in parameters.owners(self.places, self.of(i)).values():
-                check_signs(
-                    part.spec.parameters, part.parameters, f"{self._owner}: variant {i}: '{part.name}'"
-                )
+            owners = parameters.owners(self.places, self.of(i))
+            for law in (owner for (is_law, _), owner in owners.items() if is_law):
+                self._check_part(law, i)
+
+    def check_elements(self, system: CoreSystem) -> None:
+        """Check the signs of the parameters of the elements of the only variant."""
+        for part in Parameters(system.structure, system.origin).owners(self.places, self.of(0)).values():
+            self._check_part(part, 0)
+
+    def _check_part(self, part: Any, i: int) -> None:
+        check_signs(part.spec.parameters, part.parameters, f"{self._owner}: variant {i}: '{part.name}'")
 
     def _count(self, columns: Mapping[str, Array]) -> int:
         sizes = {name: len(rows) for name, rows in columns.items() if len(rows) != 1}

@@ -20,6 +20,7 @@ from scipy.linalg import eig
 from scipy.optimize import brentq, linear_sum_assignment
 
 from flexel.base.arrays import Array, ComplexArray, Index
+from flexel.base.errors import ModelError
 
 # Relative difference below which eigenvalues count as equal, and their vectors as arbitrary.
 SHARE_DIGITS = 6  # of shares that are compared: beyond is rounding
@@ -172,7 +173,13 @@ class Branches:
         The state matrix is interpolated through four neighbours, which is exact for a polynomial of third degree, such
         as equations over a speed; over a parameter it is computed again at each value that is tried. Without matrices,
         the eigenvalues are interpolated.
+
+        Raises
+        ------
+        ModelError
+            If the values of the parameter do not increase, or decrease.
         """
+        _check_order(self.parameter)
         w, found = self.eigenvalues, list[Boundary]()
         floor = ZERO_TOLERANCE * float(np.nanmax(np.abs(w), initial=0.0))
         for name, family in zip(names or self.names, self.families, strict=True):
@@ -249,6 +256,17 @@ class Branches:
         return at
 
 
+def _check_order(p: Array) -> None:
+    """Raise a ModelError for values between which no branch can be followed."""
+    steps = np.diff(p)
+    if np.all(steps > 0) or np.all(steps < 0):
+        return
+    wrong = int(np.flatnonzero(steps * np.sign(p[-1] - p[0]) <= 0)[0])
+    raise ModelError(
+        f"boundaries: the values of the parameter must increase, or decrease: {p[wrong + 1]:g} comes after {p[wrong]:g}"
+    )
+
+
 def _nearest(A: Any, value: complex) -> complex:
     """Return the eigenvalue of a matrix that is nearest to a value."""
     w = np.linalg.eigvals(A)
@@ -280,7 +298,7 @@ def _ordered(
     vectors = None if left is None or right is None else (left[first].copy(), right[first].copy())
     for i, (before, last, now) in enumerate(zip([known[0], *known], known, known[1:], strict=False)):
         expected = found[last]
-        if i:
+        if i and p[last] != p[before]:
             expected = expected + (p[now] - p[last]) / (p[last] - p[before]) * (expected - found[before])
         cost = _distance(expected, w[now])
         if vectors is not None and left is not None and right is not None:

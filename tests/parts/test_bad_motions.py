@@ -29,10 +29,10 @@ MOTIONS = {
     "math.sin": built(
         lambda m: m.prescribe("pivot.angle", lambda t: math.sin(t)), "'pivot.angle'", "np.sin, not math.sin"
     ),
-    "np.rint": built(
-        lambda m: m.prescribe("pivot.angle", lambda t: np.rint(t)),
+    "np.cbrt": built(
+        lambda m: m.prescribe("pivot.angle", lambda t: np.cbrt(t + 1)),
         "'pivot.angle'",
-        "rint",
+        "cbrt",
         "give the triple",
     ),
     "np.unwrap": built(
