@@ -23,6 +23,9 @@ from flexel.system import CoreSystem
 
 SHORTEST = 1e-6  # step, relative to the times, below which a position counts as unreachable
 SHORT = 0.2  # change of a coordinate per step, in natural scales: a flat position must not be stepped over
+# How much longer steps may be while the logarithm of the determinant, to base two, changes by so little in each, and by how
+# much it may change in a longer one.
+LONGER, GENTLE, SUDDEN = 8.0, 0.2, 0.5
 EXACT = 1e-11  # error of a path across one, in natural scales
 TRAVEL = (
     1.0  # change of an Euler parameter per step: more than two radians could lead to another branch or turn
@@ -70,6 +73,7 @@ class Followed(DenseRun):
         self._kinematics = system.kinematics_of(start.roles)
         self._a = start.a
         self._dips, self._uncertain = Dips(), list[float]()
+        self._longer, self._size = 1.0, np.nan
 
     @property
     def statistics(self) -> dict[str, int]:
@@ -100,14 +104,18 @@ class Followed(DenseRun):
         here, weight = self.now, self._kinematics.lists.step_weight
         until = min(self.until, self.stop)
         fastest = float(np.max(np.abs(here.v[: weight.size]) * weight, initial=0.0))
-        longest = min(longest_step(here.v, self._a, self._weights), SHORT / max(fastest, 1e-300))
+        short = SHORT / max(fastest, 1e-300)
+        longest = min(longest_step(here.v, self._a, self._weights), self._longer * short)
         self._step = min(self._step, until - here.t, longest)
         while True:
             t = min(here.t + self._step, until)
             ahead = replace(here, x=here.x + (t - here.t) * here.v)
             try:
                 x, v, e = located(self._kinematics, t, NOTHING, NOTHING, ahead)
-                break
+                change = abs(self._kinematics.choice.determinant - self._size)
+                if change <= SUDDEN or self._longer == 1.0:
+                    break
+                self._longer, self._step = 1.0, min(self._step, short)
             except PositionError as error:
                 self._step /= 2
                 if self._step < SHORTEST * self._span:
@@ -117,6 +125,10 @@ class Followed(DenseRun):
         work = self._kinematics.evaluation.at(t, x, v, unwrap_from=e)
         there = Snapshot(t, x, v, e, work.w[: e.size].copy())
         flat = self._dips.passed(self._kinematics, here, there, self._kinematics.choice)
+        self._longer = (
+            1.0 if np.isnan(change) else min(max(self._longer * GENTLE / max(change, 1e-300), 1.0), LONGER)
+        )
+        self._size = self._dips.struct.size
         if flat is not None:
             if steps := self.across(flat):
                 return self._carry(steps)
@@ -140,6 +152,7 @@ class Followed(DenseRun):
         """Take steps across a flat position, and continue on the other side."""
         ended = self.accept_carried(steps)
         self._step, self._a = np.inf, np.zeros_like(self._a)
+        self._longer, self._size = 1.0, np.nan
         self._dips.forget()
         self._uncertain = [t for t in self._uncertain if t < steps[0].path.t0]
         return ended

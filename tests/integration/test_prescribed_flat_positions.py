@@ -67,3 +67,24 @@ def test_an_arm_that_its_path_stretches(samples: int) -> None:
     )
     assert np.abs(motion.drive("first.angle")).max() < 0.2
     assert abs(motion.drive("second.angle")[middle]) < 0.2
+
+
+@pytest.mark.parametrize("loops", [1, 2, 3, 5])
+def test_parallelograms_in_series_at_any_speed_and_with_any_states(loops: int) -> None:
+    """All loops are flat at the same time; speeds, starts and numbers of states are drawn."""
+    random = np.random.default_rng(loops)
+    for _ in range(6):
+        speed, start, samples = random.uniform(-15, 15), random.uniform(0.2, 2.9), int(random.integers(2, 60))
+        m = fx.Model()
+        m.angle("turn")
+        for i in range(loops + 1):
+            m.point(f"G{i}", (i, 0), fixed=True)
+            m.point(f"A{i}", (i + np.cos(start), np.sin(start)))
+            if i:
+                m.truss(f"crank {i}", f"G{i}", f"A{i}", mass_per_length=1.0)
+                m.truss(f"coupler {i}", f"A{i - 1}", f"A{i}", mass_per_length=1.0)
+        m.beam("driven", "G0", "turn", "A0", mass_per_length=1.0)
+        m.prescribe("turn.angle", fx.Polynomial([0.0, speed]))
+        motion = m.build().simulate(2.0, samples=samples)
+        for i in range(loops + 1):
+            assert motion[f"A{i}.x"] - i == pytest.approx(np.cos(start + speed * motion.t), abs=1e-9)
