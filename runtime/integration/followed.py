@@ -23,8 +23,8 @@ from flexel.system import CoreSystem
 
 SHORTEST = 1e-6  # step, relative to the times, below which a position counts as unreachable
 SHORT = 0.2  # change of a coordinate per step, in natural scales: a flat position must not be stepped over
-# How much longer steps may be while the logarithm of the determinant, to base two, changes by so little in each, and by how
-# much it may change in a longer one.
+# How much longer steps may be while the logarithm of the determinant, to base two, changes by so little in each, and
+# by how much it may change in a longer one.
 LONGER, GENTLE, SUDDEN = 8.0, 0.2, 0.5
 EXACT = 1e-11  # error of a path across one, in natural scales
 TRAVEL = (
