@@ -101,52 +101,54 @@ class Followed(DenseRun):
 
     def advance(self) -> str | None:
         """Take one step towards the next stored time."""
-        here, weight = self.now, self._kinematics.lists.step_weight
-        until = min(self.until, self.stop)
-        fastest = float(np.max(np.abs(here.v[: weight.size]) * weight, initial=0.0))
-        short = SHORT / max(fastest, 1e-300)
-        longest = min(longest_step(here.v, self._a, self._weights), self._longer * short)
-        self._step = min(self._step, until - here.t, longest)
-        while True:
-            t = min(here.t + self._step, until)
-            ahead = replace(here, x=here.x + (t - here.t) * here.v)
-            try:
-                x, v, e = located(self._kinematics, t, NOTHING, NOTHING, ahead)
-                change = abs(self._kinematics.choice.determinant - self._size)
-                if change <= SUDDEN or self._longer == 1.0:
-                    break
-                self._longer, self._step = 1.0, min(self._step, short)
-            except PositionError as error:
-                self._step /= 2
-                if self._step < SHORTEST * self._span:
-                    if steps := self.across(t, at_once=True):
-                        return self._carry(steps)
-                    raise error
-        work = self._kinematics.evaluation.at(t, x, v, unwrap_from=e)
-        there = Snapshot(t, x, v, e, work.w[: e.size].copy())
-        flat = self._dips.passed(self._kinematics, here, there, self._kinematics.choice)
-        self._longer = (
-            1.0 if np.isnan(change) else min(max(self._longer * GENTLE / max(change, 1e-300), 1.0), LONGER)
-        )
-        self._size = self._dips.struct.size
+        here, until, kinematics = self.now, min(self.until, self.stop), self._kinematics
+        try:
+            there, change = self._next(here, until)
+        except PositionError:
+            if steps := self.across(here.t + self._step, at_once=True):
+                return self._carry(steps)
+            raise
+        flat = self._dips.passed(kinematics, here, there, kinematics.choice)
         if flat is not None:
             if steps := self.across(flat):
                 return self._carry(steps)
             self._uncertain.append(flat)
-        self._a = (v - here.v) / (t - here.t)
-        segment = Step(
-            here.t,
-            t,
-            self._kinematics,
-            self._kinematics,
-            here,
-            there,
-            HeldStates(self._kinematics, here, there, self.z),
-        )
-        ended = self.accept(segment, self.z)
-        if t >= until:
+        wanted = self._longer * GENTLE / max(change, 1e-300)
+        self._longer = min(max(wanted, 1.0), LONGER) if np.isfinite(change) else 1.0
+        self._size, self._a = self._dips.struct.size, (there.v - here.v) / (there.t - here.t)
+        dense = HeldStates(kinematics, here, there, self.z)
+        ended = self.accept(Step(here.t, there.t, kinematics, kinematics, here, there, dense), self.z)
+        if there.t >= until:
             self._step = np.inf
         return ended
+
+    def _next(self, here: Snapshot, until: float) -> tuple[Snapshot, float]:
+        """Return the end of the next step, and how much the logarithm of the determinant changes in it.
+
+        Raises
+        ------
+        PositionError
+            If the shortest step leads to no position.
+        """
+        kinematics, weight = self._kinematics, self._kinematics.lists.step_weight
+        fastest = float(np.max(np.abs(here.v[: weight.size]) * weight, initial=0.0))
+        short, longest = SHORT / max(fastest, 1e-300), longest_step(here.v, self._a, self._weights)
+        self._step = min(self._step, until - here.t, longest, self._longer * short)
+        while True:
+            t = min(here.t + self._step, until)
+            ahead = replace(here, x=here.x + (t - here.t) * here.v)
+            try:
+                x, v, e = located(kinematics, t, NOTHING, NOTHING, ahead)
+            except PositionError:
+                self._step /= 2
+                if self._step < SHORTEST * self._span:
+                    raise
+                continue
+            change = abs(kinematics.choice.determinant - self._size)
+            if not change > SUDDEN or self._longer == 1.0:
+                work = kinematics.evaluation.at(t, x, v, unwrap_from=e)
+                return Snapshot(t, x, v, e, work.w[: e.size].copy()), change
+            self._longer, self._step = 1.0, min(self._step, short)
 
     def _carry(self, steps: list[Carried]) -> str | None:
         """Take steps across a flat position, and continue on the other side."""
