@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from typing import NamedTuple
 
 import numpy as np
@@ -10,6 +11,7 @@ from flexel.base.errors import FlexelError
 from flexel.engine.covered import FULL
 from flexel.integration.minimal import MinimalRun
 
+ROW = 10  # steps at most between two entries
 STEPS = 60  # of a trial at least
 LATER = 30  # of one with the tolerances of later steps
 LAST, SHARE = 20, 0.1  # least number of steps that are taken as typical, and their share of a trial
@@ -35,7 +37,7 @@ class Trial:
 
     def __init__(self, run: MinimalRun) -> None:
         self.run, self._end = run, float(run.times[-1])
-        self._times, self._counts = [run.t], [0]
+        self._taken, self._times, self._counts = [0], [run.t], [0]
         run.once()
 
     @property
@@ -51,12 +53,14 @@ class Trial:
     @property
     def taken(self) -> int:
         """Steps so far."""
-        return len(self._times) - 1
+        return self._taken[-1]
 
     def go_on(self, steps: int, evaluations: float = 0.0) -> None:
         """Go on until it has taken so many steps and evaluations, or has ended."""
         while not self.ended and (self.taken < steps or self.count < evaluations):
-            self.run.watched(1)
+            before = self.run.taken
+            self.run.watched(min(ROW, steps - self.taken) if self.taken < steps else ROW)
+            self._taken.append(self.taken + self.run.taken - before)
             self._times.append(self.run.t)
             self._counts.append(self.run.statistics["evaluations"])
 
@@ -69,8 +73,7 @@ class Trial:
         """Estimate the evaluations of the whole motion, each step of which costs `more` than it evaluates."""
         if self.ended:
             return self.count + self.taken * more
-        last = self._last
-        each = (self.count - self._counts[-1 - last]) / last
+        each = (self.count - self._counts[self._since]) / (self.taken - self._taken[self._since])
         return self.count + self._left * each + self.steps * more
 
     @property
@@ -84,13 +87,15 @@ class Trial:
         """Steps up to the end."""
         if self.ended:
             return 0.0
-        last = self._last
-        return float(last * (self._end - self.run.t) / (self.run.t - self._times[-1 - last]))
+        since = self._since
+        steps, time = self.taken - self._taken[since], self.run.t - self._times[since]
+        return float(steps * (self._end - self.run.t) / time)
 
     @property
-    def _last(self) -> int:
-        """Number of steps that are taken as typical."""
-        return min(max(LAST, int(SHARE * self.taken)), self.taken)
+    def _since(self) -> int:
+        """Number of the entry from which on steps are taken as typical."""
+        typical = min(max(LAST, int(SHARE * self.taken)), self.taken)
+        return max(bisect_right(self._taken, self.taken - typical) - 1, 0)
 
 
 def explicit_evaluations(run: MinimalRun) -> float:
