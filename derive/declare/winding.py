@@ -31,6 +31,8 @@ def check_period(owner: str, d: Deformation, let: Lets, parameters: tuple[Parame
         period_terms(d, parameters)
         if d.period == 0:
             return
+    else:
+        _check_quotients(owner, d, let, set(symbols))
     for angle, known in _angles(d.expr, let):
         if _never_negative(angle.args[1], dict(let)):
             continue
@@ -45,6 +47,22 @@ def check_period(owner: str, d: Deformation, let: Lets, parameters: tuple[Parame
             raise ElementError(
                 f"{owner}: deformation '{d.name}' jumps by {float(abs(wrong[0])):.6g} at random values where {angle} "
                 f"passes its cut; that is not a whole number of the period {d.period}: correct the period"
+            )
+
+
+def _check_quotients(owner: str, d: Deformation, let: Lets, constant: set[Symbol]) -> None:
+    """Raise ElementError for the atan of a quotient whose divisor may change its sign."""
+    needed, found = set(d.expr.free_symbols), d.expr.atoms(sp.atan)
+    for s, value in reversed(let):
+        if s in needed:
+            needed |= value.free_symbols
+            found |= value.atoms(sp.atan)
+    for angle in sorted(found, key=sp.default_sort_key):
+        y, x = sp.fraction(sp.together(angle.args[0]))
+        if x.free_symbols - constant and not _never_negative(x, dict(let)):
+            raise ElementError(
+                f"{owner}: deformation '{d.name}' jumps where the divisor in {angle} is zero; write atan2({y}, {x}), "
+                "and give period=…, or give period=0 if it stays away from there"
             )
 
 

@@ -160,3 +160,17 @@ def test_names_that_begin_like_functions_of_the_generated_code() -> None:
     """They hung the generation of code."""
     used: set[str] = set()
     assert [_c_name("real_length", used) for _ in range(2)] == ["its_real_length", "its_real_length_"]
+
+
+def test_the_atan_of_a_quotient_jumps_where_its_divisor_is_zero() -> None:
+    """Like atan2, whose jumps are found; one with a constant divisor does not jump."""
+    p, q, k = PlanarPoint("p"), PlanarPoint("q"), Parameter("k", 1, "m", "length")
+    d = q.x - p.x
+
+    def angle(expr: sp.Expr, **period: int) -> Element:
+        turns = (Deformation("angle", "rad", expr, free=True, **period),)
+        return Element("one", (p, q), (k,), deformations=turns, doc="x", source="own")
+
+    with pytest.raises(ElementError, match=r"'angle' jumps where the divisor in atan.* is zero; write atan2"):
+        angle(sp.atan(d[1] / d[0]))
+    assert angle(sp.atan(d[1] / k.symbol)).name == angle(sp.atan(d[1] / d[0]), period=0).name == "one"
