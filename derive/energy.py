@@ -8,6 +8,7 @@ import sympy as sp
 from sympy import Expr, Symbol
 from sympy.core.relational import Relational
 
+from flexel.derive.clipped import clipped
 from flexel.derive.declare.functions import FUNCTIONS, KINKED
 
 PLACES = 64  # of each width, an even number: where a closed form is compared with the stress
@@ -43,13 +44,10 @@ def real_everywhere(stress: Expr, stored: Expr, e: Symbol) -> Expr | None:
     SymPy writes the integral of a spring that acts on one side only, such as max(0, e - a)^1.5, with powers of negative
     numbers on the other side, which cancel as complex numbers but not as real ones: there the base is set to zero.
     """
-    clipped = stored.replace(
-        lambda part: part.is_Pow and part.exp.is_Rational and not part.exp.is_Integer and part.base.has(e),
-        lambda part: sp.Max(part.base, 0) ** part.exp,
-    )
-    if clipped == stored:
+    positive = clipped(stored, {e})
+    if positive == stored:
         return stored
-    return next((form for form in (stored, clipped) if _is_integral(stress, form, e)), None)
+    return next((form for form in (stored, positive) if _is_integral(stress, form, e)), None)
 
 
 def _is_integral(stress: Expr, stored: Expr, e: Symbol) -> bool:

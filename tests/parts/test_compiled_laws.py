@@ -57,3 +57,26 @@ def test_a_compiled_law_is_attached_like_a_formula() -> None:
         slider().law("strut.elongation", cubic, energy=lambda e: e**2)
     with pytest.raises(ModelError, match=r"attach: this law is a compiled one; use m.law\(on, law"):
         slider().attach(cubic, ["strut.elongation"], k=3.0)  # type: ignore[arg-type]
+
+
+def test_a_power_within_a_piece_has_no_slope_beyond_it() -> None:
+    """The force of Hertz: it was refused, because its slope beyond the contact was zero times no number."""
+    e, ed = symbol("e"), symbol("ed")
+    k, gap = Parameter("k", 1, "N/m^1.5", "stiffness", sign="positive"), Parameter("gap", 1, "m", "gap")
+    depth = gap.symbol - e
+    force = -k.symbol * sympy.Piecewise((depth ** sympy.Rational(3, 2), e < gap.symbol), (0, True))
+    energy = (
+        k.symbol
+        * sympy.Piecewise((depth ** sympy.Rational(5, 2), e < gap.symbol), (0, True))
+        * sympy.Rational(2, 5)
+    )
+    hertz = compile_law(Law("own_hertz", "Hertz", (k, gap), (e,), (ed,), (), (force,), (), energy))
+    for at, slope in ((0.3, 0.0), (0.1 - 0.04, 1.5 * 100.0 * 0.2)):
+        m = slider()
+        m.law("strut.elongation", hertz, k=100.0, gap=0.1)
+        m.initial("strut.elongation", at)
+        system = m.build()
+        depth_there = max(0.0, 0.1 - at)
+        assert system.initial.force("strut.elongation") == pytest.approx(-100.0 * depth_there**1.5, abs=1e-12)
+        assert system.initial.energy.strain == pytest.approx(40.0 * depth_there**2.5, abs=1e-12)
+        assert system.linearize().K[0, 0] == pytest.approx(slope, abs=1e-9)
