@@ -17,7 +17,7 @@ LAYERS = (
     ("compiled",),
     ("declare",),
     ("elements", "laws", "definition_key", "users_page", "formulas_text"),
-    ("program", "energy", "general", "begins"),
+    ("program", "energy", "general", "begins", "clipped"),
     ("emit",),
     ("check",),
     ("verify",),
