@@ -103,9 +103,8 @@ class MinimalRun(DenseRun):
         tables = self.kinematics.evaluation.work.tables
         self.touching = TouchingContacts(tables, every_gap(tables), self.passed)
         self._patient = 1  # steps in a row that take about PAUSE
-        self._unusual = self._alone = (
-            0  # steps that are taken alone after the last short row, and what is left of them
-        )
+        # steps that are taken alone after the last short row, and what is left of them
+        self._unusual = self._alone = 0
         self.covered = self._scale(kind)
         self.method: StepMethod = kind(self)
 
