@@ -43,6 +43,7 @@ class LinearizedMany:
         steady: bool,
     ) -> None:
         self.rates, self._steady = dict(rates), steady
+        self._owner = "root_loci" if steady else "linearize_many"
         self._find = start if callable(start) else self._moved
         self._roles = system.roles if callable(start) else system._usable(start).roles
         self._nz = system.structure.nz
@@ -62,7 +63,8 @@ class LinearizedMany:
     def state(self, system: Any, i: int) -> State:
         """Return state number i of a variant."""
         if not self._moments:
-            return own_state(system.structure, self._find(system), "linearize_many")
+            found = own_state(system.structure, self._find(system), self._owner)
+            return steady(system, found) if self._steady else found
         return self._moved(system, i)
 
     def linearization(self, system: Any, _: int, i: int) -> Linearization:

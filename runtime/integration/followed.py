@@ -25,7 +25,7 @@ SHORTEST = 1e-6  # step, relative to the times, below which a position counts as
 SHORT = 0.2  # change of a coordinate per step, in natural scales: a flat position must not be stepped over
 # How much longer steps may be while the logarithm of the determinant, to base two, changes by so little in each, and
 # by how much it may change in a longer one.
-LONGER, GENTLE, SUDDEN = 8.0, 0.2, 0.5
+LENGTHENED, GENTLE, SUDDEN = 8.0, 0.2, 0.5
 EXACT = 1e-11  # error of a path across one, in natural scales
 TRAVEL = (
     1.0  # change of an Euler parameter per step: more than two radians could lead to another branch or turn
@@ -114,7 +114,7 @@ class Followed(DenseRun):
                 return self._carry(steps)
             self._uncertain.append(flat)
         wanted = self._longer * GENTLE / max(change, 1e-300)
-        self._longer = min(max(wanted, 1.0), LONGER) if np.isfinite(change) else 1.0
+        self._longer = min(max(wanted, 1.0), LENGTHENED) if np.isfinite(change) else 1.0
         self._size, self._a = self._dips.struct.size, (there.v - here.v) / (there.t - here.t)
         dense = HeldStates(kinematics, here, there, self.z)
         ended = self.accept(Step(here.t, there.t, kinematics, kinematics, here, there, dense), self.z)

@@ -31,6 +31,7 @@ AT_ROOT = (
     1e-6  # real part at a boundary, relative to the eigenvalues around it, that is no jump to another branch
 )
 FINER = 17  # values between two neighbours of the parameter, where these are too far apart
+NEAREST_VALUES = 1e-3  # relative difference of two neighbours between which no more values are taken
 POINTS = 4  # number of neighbours for the interpolation between values of the parameter
 
 _eig: Any = eig
@@ -231,7 +232,7 @@ class Branches:
     ) -> tuple[float, float] | None:
         """Return the same by values between two that are too far apart to follow the branch; None if they are close."""
         first, last = self.parameter[[i, k]].tolist()
-        if abs(last - first) <= AT_ROOT * max(abs(first), abs(last)):
+        if abs(last - first) <= NEAREST_VALUES * max(abs(first), abs(last)):
             return None
         values = np.linspace(first, last, FINER)
         fine = replace(Branches.of(values, np.array([exact(p) for p in values.tolist()])), exact=exact)

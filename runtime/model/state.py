@@ -239,6 +239,11 @@ class State:
 
         A beam with warping also has the bimoment [N m²].
 
+        They follow from how the beam is deformed. What acts along it, w [N/m] of weight, load and inertia, goes to its
+        two ends as equivalent forces, which are not among these: at an end that is held, the force is w l/2 and the
+        moment w l²/12 too small, where l is the length of one element. Divide the beam: with n elements in its place
+        these are n and n² times smaller.
+
         Raises
         ------
         ModelError
@@ -248,6 +253,8 @@ class State:
 
     def stress(self, beam: str) -> BeamStress:
         """Return the largest equivalent stress [Pa] in the end sections of a beam with a section and a material.
+
+        It is that of `section_forces`: see there for what acts along the beam.
 
         Raises
         ------

@@ -313,3 +313,17 @@ def test_a_point_of_root_loci_is_computed_again_in_the_coordinates_of_its_state(
     assert np.sort_complex(again.eigenvalues()) == pytest.approx(
         np.sort_complex(loci.eigenvalues[0]), abs=1e-9
     )
+
+
+def test_root_loci_over_a_load_are_about_the_steady_state_of_each_variant() -> None:
+    """A pendulum drawn level, pulled aside: the squared frequency is the resultant of load and weight over m l."""
+    m = fx.Model(gravity=(0, -9.81))
+    m.point("O", (0, 0), fixed=True)
+    m.point("A", (1, 0))
+    m.truss("rod", "O", "A")
+    m.point_mass("ball", "A", 1.0)
+    m.load("A", (5.0, 0.0))
+    loads = np.array([5.0, 20.0, 50.0])
+    loci = m.build().root_loci(parameters={"load A.value[0]": loads})
+    assert np.abs(loci.eigenvalues.real).max() < 1e-9
+    assert np.abs(loci.eigenvalues[:, 0].imag) ** 2 == pytest.approx(np.hypot(loads, 9.81), rel=1e-9)
