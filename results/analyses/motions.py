@@ -93,6 +93,7 @@ def simulate(
         DOP853: of a degree of freedom, to the largest range of a coordinate in this motion so far if that is less),
         1e-9 by default; generalized-alpha, of the coordinates relative to the largest range of a coordinate in this
         motion so far, in natural scales and at most 1, and of internal states relative to their ranges, 1e-6.
+        Accelerations of generalized-alpha, and forces and drives that follow from them, are less exact.
     atol : float or array_like, optional
         Absolute local error in natural scales (the size of the model for lengths, one for the rest, the same
         per second for rates): DOP853 and Radau, 1e-11 by default (DOP853: less in small motions, down to
