@@ -11,11 +11,9 @@ from sympy.core.relational import Relational
 from flexel.derive.clipped import clipped
 from flexel.derive.declare.functions import FUNCTIONS, KINKED
 
-PLACES = 64  # of each width, an even number: where a closed form is compared with the stress
-SLOPE, MOSTLY = (
-    1e-6,
-    0.9,
-)  # relative error of its slope, and part of the places where it is kept: not at kinks
+PLACES = 64  # of each width, at which a closed form is compared with the stress: even, so not at zero
+SLOPE = 1e-6  # relative error of its slope
+MOSTLY = 0.9  # part of the places at which the slope must be right: not at kinks
 POINTS = 16  # of Gauss's rule, between two kinks
 _KNOWN = (*FUNCTIONS, *KINKED, sp.Piecewise)
 

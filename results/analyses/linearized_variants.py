@@ -43,7 +43,6 @@ class LinearizedMany:
         steady: bool,
     ) -> None:
         self.rates, self._steady = dict(rates), steady
-        self._owner = "root_loci" if steady else "linearize_many"
         self._find = start if callable(start) else self._moved
         self._roles = system.roles if callable(start) else system._usable(start).roles
         self._nz = system.structure.nz
@@ -63,7 +62,8 @@ class LinearizedMany:
     def state(self, system: Any, i: int) -> State:
         """Return state number i of a variant."""
         if not self._moments:
-            found = own_state(system.structure, self._find(system), self._owner)
+            owner = "root_loci" if self._steady else "linearize_many"
+            found = own_state(system.structure, self._find(system), owner)
             return steady(system, found) if self._steady else found
         return self._moved(system, i)
 

@@ -215,9 +215,9 @@ class Stepper:
             run.renew()
             self._changed = False
         until = self._begin + (self._count + 1) * self.dt
+        run.go_on(until)
         if self._look is not None and run.taken >= self._look and isinstance(run, MinimalRun):
             self._compare(run, until)
-        run.go_on(until)
         _advance(run, until)
         self._count += 1
         return self._outputs()
@@ -226,7 +226,6 @@ class Stepper:
         """Go on with the other method if the next step costs less by that."""
         tolerances = methods.tolerances_of(self._system, self._options)
         other = Dop853 if run.name == RADAU else Radau
-        run.go_on(until)
 
         def cost(kind: type[StepMethod]) -> float:
             trial = run.onwards(kind, tolerances)

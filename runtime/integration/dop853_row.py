@@ -85,10 +85,8 @@ class Row(Struct):
         while (ended := int(lib.flexel_dop853_steps(r))) == INPUTS:
             try:
                 self.steps.give_stages(interval, r.t, r.to - r.t)
-            except FlexelError:
-                return int(
-                    ENDED
-                )  # the steps so far are kept; the next one is tried alone, and raises it again
+            except FlexelError:  # the steps so far are kept; the next one is tried alone, and raises it again
+                return int(ENDED)
         return ended
 
     def _found(

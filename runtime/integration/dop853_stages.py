@@ -97,8 +97,7 @@ class Stages(Struct):
     @property
     def varies(self) -> bool:
         """Whether prescribed motions or loads vary with time."""
-        loads = self.kinematics.loads
-        return bool(self.kinematics.roles.motions) or (loads.any and not loads.steady)
+        return bool(self.kinematics.roles.motions) or not self.kinematics.loads.steady
 
     @property
     def _structs(self) -> tuple[Any, Any, Any]:

@@ -23,7 +23,7 @@ def give(kinematics: Kinematics, interval: Interval, given: Array, times: Sequen
     """
     motions, loads = kinematics.roles.motions, kinematics.loads
     split = given.shape[1] - loads.quantities.size
-    varying = loads.any and not loads.steady
+    varying = not loads.steady
     if loads.any and loads.steady:
         given[:, split:] = loads.values(interval.inside(times[0]))
     if not motions and not varying:

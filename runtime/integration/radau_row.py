@@ -69,8 +69,8 @@ class RadauRow(Struct):
                     steps.give_stages()
                 else:
                     look(steps.now, steps.y[steps.y.size - nz :].copy())
-            except FlexelError:
-                return ended  # the steps so far are kept; the next one is tried alone, and raises it again
+            except FlexelError:  # the steps so far are kept; the next one is tried alone, and raises it again
+                return ended
         return ended
 
     def _found(self, kept: Array, first: Snapshot, nz: int) -> Iterator[InRow]:

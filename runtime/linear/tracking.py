@@ -27,9 +27,8 @@ SHARE_DIGITS = 6  # of shares that are compared: beyond is rounding
 EQUAL_TOLERANCE = 1e-6
 ZERO_TOLERANCE = 1e-7  # of the largest eigenvalue: smaller real parts may come from rounding
 MIN_SIMILARITY = 0.1  # similarity of two shapes below which one does not continue the other
-AT_ROOT = (
-    1e-6  # real part at a boundary, relative to the eigenvalues around it, that is no jump to another branch
-)
+# Real part at a boundary, relative to the eigenvalues around it, that is no jump to another branch.
+AT_ROOT = 1e-6
 FINER = 17  # values between two neighbours of the parameter, where these are too far apart
 NEAREST_VALUES = 1e-3  # relative difference of two neighbours between which no more values are taken
 POINTS = 4  # number of neighbours for the interpolation between values of the parameter
@@ -221,9 +220,8 @@ class Branches:
         at = self._between(i, k, j)
         root = float(_brentq(lambda p: at(p).real - level, *self.parameter[[i, k]], xtol=1e-14))
         there = at(root)
-        if self.exact is None or abs(there.real - level) <= AT_ROOT * float(
-            np.abs(self.eigenvalues[[i, k], j]).max()
-        ):
+        size = float(np.abs(self.eigenvalues[[i, k], j]).max())
+        if self.exact is None or abs(there.real - level) <= AT_ROOT * size:
             return root, abs(there.imag)
         return self._refined(i, k, j, self.exact, level) or (root, abs(there.imag))
 

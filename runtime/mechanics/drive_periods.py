@@ -39,9 +39,8 @@ def check_drives(kinematics: Kinematics, begin: float, period: float) -> None:
         for order in (1, 2):
             now, later = _values(partial(_rate, motion, order), times, period)
             _check(owner, now, later, least, period)
-            least = (
-                2 * np.pi / period * largest(now)
-            )  # an acceleration is compared with what the rate asks for
+            # an acceleration is compared with what the rate asks for
+            least = 2 * np.pi / period * largest(now)
 
 
 def _values(function: Callable[[float], float], times: Array, period: float) -> tuple[Array, Array]:

@@ -35,9 +35,8 @@ from flexel.model.snapshot import Snapshot
 from flexel.model.structure import Structure
 
 SIZES = 1e-5, 1e5  # least and largest extent of a model [m], see `check_size`
-HARDLY = (
-    1e-6  # inertia of a motion, relative to the largest one, in natural scales, that names its coordinate
-)
+# Inertia of a motion, relative to the largest one, in natural scales, that names its coordinate.
+HARDLY = 1e-6
 SHOWN = 6  # laws named in a message
 T = TypeVar("T")
 

@@ -87,10 +87,8 @@ def motions(kinematics: Kinematics, here: Snapshot) -> Array:
     Slips have no values, and none.
     """
     dofs, structure = kinematics.roles.dofs, kinematics.structure
-    begin, found = (
-        kinematics.values(here.e, here.x)[dofs],
-        np.zeros((dofs.size, here.x.size + structure.m + structure.k)),
-    )
+    begin = kinematics.values(here.e, here.x)[dofs]
+    found = np.zeros((dofs.size, here.x.size + structure.m + structure.k))
     still = _tangent(kinematics, here, here.t, begin)
     for row, step in zip(found, np.diag(kinematics.scales(dofs)), strict=True):
         change = _tangent(kinematics, here, here.t, begin + step) - still
