@@ -10,7 +10,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TypeVar
 
-from flexel.derive.clipped import with_clipped_pieces
+from flexel.derive.clipped import with_real_powers
 from flexel.derive.compiled import CompiledElement, CompiledLaw
 from flexel.derive.declare import Element, Law
 from flexel.derive.definition_key import definition_key
@@ -45,7 +45,7 @@ def accepted_element(element: Element, ranges: Ranges | None = None) -> Compiled
 
 def accepted_law(law: Law, ranges: Ranges | None = None) -> CompiledLaw:
     """Derive, compile and verify a law; errors as in `accepted_element`, and for an energy of another stress."""
-    return _accepted(with_clipped_pieces(law), compile_law, ranges or {})
+    return _accepted(with_real_powers(law), compile_law, ranges or {})
 
 
 def _accepted(declared: Declared, compile_it: Callable[[Declared], Compiled], ranges: Ranges) -> Compiled:

@@ -220,18 +220,35 @@ def sampled(function: TimeFunction, begin: float, end: float, many: int, few: in
 
     They are NaN where the function fails at one of them: it says so where a motion gets there.
     """
-    plain, times = _plain(function), np.linspace(begin, end, many + 1)
+    plain = _plain(function)
     with WITHIN, np.errstate(all="ignore"):
-        try:
-            values = np.asarray(plain(times), dtype=float)
-            if values.shape == times.shape:
-                return values
-        except Exception:  # a user's function may raise anything for an array
-            pass
-        try:
-            return np.array([float(plain(t)) for t in np.linspace(begin, end, few + 1).tolist()])
-        except Exception:  # or at one of these times
-            return np.full(few + 1, np.nan)
+        values = _of_all(plain, np.linspace(begin, end, many + 1))
+        return _of_each(plain, np.linspace(begin, end, few + 1)) if values is None else values
+
+
+def values_at(function: TimeFunction, times: Array) -> Array:
+    """Return the values of a function of time at some times [s]; NaN where it fails at one of them."""
+    plain = _plain(function)
+    with WITHIN, np.errstate(all="ignore"):
+        values = _of_all(plain, times)
+        return _of_each(plain, times) if values is None else values
+
+
+def _of_all(plain: Callable[[Any], Any], times: Array) -> Array | None:
+    """Call a user's function with many times at once; None if it takes one only."""
+    try:
+        values = np.asarray(plain(times), dtype=float)
+    except Exception:  # a user's function may raise anything for an array
+        return None
+    return values if values.shape == times.shape else None
+
+
+def _of_each(plain: Callable[[Any], Any], times: Array) -> Array:
+    """Call a user's function with one time after another; NaN if it fails at one of them."""
+    try:
+        return np.array([float(plain(t)) for t in times.tolist()])
+    except Exception:  # a user's function may raise anything, and says so where a motion gets there
+        return np.full(times.size, np.nan)
 
 
 def _plain(function: TimeFunction) -> Callable[[Any], Any]:

@@ -204,7 +204,7 @@ class Saddle:
         work.laws()
         work.inertia()
         work.convective()
-        given, reactions = work.law_stress + loads.at(b.t)[1], np.zeros(s.n)
+        given, reactions = work.law_stress + loads.at(self.inside(b.t))[1], np.zeros(s.n)
         check_finite(s, given, work.zd, b.t)
         stresses = given.copy()
         inner = self.force_rows < self.first

@@ -19,7 +19,7 @@ from scipy.integrate._ivp import dop853_coefficients as tableau
 
 from flexel.base.arrays import Array
 from flexel.generated._kernels import ffi, lib
-from flexel.integration.dop853_stages import Stages
+from flexel.integration.dop853_stages import UNNOTICED, Stages
 from flexel.integration.dop853_steps import Steps
 from flexel.integration.inputs import give
 from flexel.integration.knots import Interval
@@ -155,7 +155,7 @@ class Inside(Stages):
     def _finds(self, step: Interpolant, end: int) -> bool:
         """Find the stages up to the next kind; whether there are all."""
         first, t, h = self._known, step.first.t, step.h
-        self.choice.reset(step.rtol)  # the same, whether the stages before were taken or found
+        self.choice.reset(UNNOTICED * step.rtol)  # the same, whether the stages before were taken or found
         own = slice(first - EXTRA, end - EXTRA)
         if self._given.size:
             times = [t + part * h for part in PLACED[own].tolist()]

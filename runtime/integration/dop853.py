@@ -167,21 +167,35 @@ class Dop853(StepMethod):
         if not self.tried:
             ahead = crossing_step(self.flat - t, min(self.h, course.tolerances.max_step))
             self._to = min(t + ahead, self._end)
-            before = c.evaluations
-            self._code = self.steps.step(t, self._to - t, self._careful)
-            course.counts["evaluations"] += c.evaluations - before
+            self._try(t)
         self.tried = False
         self._error, self._found = self._largest_error() if not self._code else np.inf, self._defect
         if self._error < 1:
             trusted = self._trusted()
             exact = trusted and self._exact(self._defect)
-            if exact and not (c.changed and (self._rough() or course.poor())):
+            if exact and not (c.changed and (self._rough() or self._poor(t))):
                 return Attempted.FOUND
             if trusted and not exact:
                 self._found = float(c.defect_v)
             self._error = np.inf
         course.counts["rejected"] += 1
         return self.refuse(False) if np.isfinite(self._error) else Attempted.UNUSABLE
+
+    def _try(self, t: float) -> None:
+        """Make the trial from a time [s], up to the one that is set."""
+        before = self.steps.struct.evaluations
+        self._code = self.steps.step(t, self._to - t, self._careful)
+        self.course.counts["evaluations"] += self.steps.struct.evaluations - before
+
+    def _poor(self, t: float) -> bool:
+        """Whether other degrees of freedom may explain a change of sign of the trial from a time [s].
+
+        If not, the trial is made again: the answer was found in its workspace.
+        """
+        if self.course.poor():
+            return True
+        self._try(t)
+        return False
 
     def end(self) -> Snapshot:
         """Return the point at the end of the step that was found."""

@@ -8,13 +8,11 @@ from flexel.base.arrays import Array
 from flexel.engine.coordinate_work import CoordinateWork
 from flexel.engine.covered import Covered
 from flexel.generated._kernels import ffi, lib
-from flexel.integration.dop853_stages import TIMES, Stages
+from flexel.integration.dop853_stages import TIMES, UNNOTICED, Stages
 from flexel.integration.inputs import give
 from flexel.integration.knots import Knots
 from flexel.mechanics.kinematics import Kinematics
 from flexel.model.snapshot import Snapshot
-
-ACCEPT = 0.01  # error of a position below which J is not evaluated again, relative to rtol, where no law acts
 
 
 def accepted_error(kinematics: Kinematics, rtol: float) -> float:
@@ -23,7 +21,7 @@ def accepted_error(kinematics: Kinematics, rtol: float) -> float:
     Zero where laws act: the error of a deformation times a large stiffness is noise in the accelerations, to which the
     step control would respond with short steps.
     """
-    return 0.0 if kinematics.structure.laws else ACCEPT * rtol
+    return 0.0 if kinematics.structure.laws else UNNOTICED * rtol
 
 
 class Steps(Stages):

@@ -6,7 +6,6 @@ import logging
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from functools import cached_property
 
 import numpy as np
 
@@ -61,8 +60,9 @@ class Run(ABC):
         self.times, self.events = times, events
         self._span = float(times[-1] - times[0])
         self._looks = EventSamples(events, start.t, [value(event, start) for event in events])
-        self.knots = Knots(system, float(times[0]), float(times[-1]))
-        self._time_functions = system.kinematics.time_functions
+        begin, end = float(times[0]), float(times[-1])
+        self._scales = TimeScales(system.kinematics.time_functions, begin, end)
+        self.knots = Knots(system, begin, end, self._scales.jumps)
         self.result = Integration(States([start]), [], [], {}, "")
         self.sampling = Sampling(start.structure)
         self._callbacks = callbacks_of(start.structure.laws)
@@ -148,11 +148,6 @@ class Run(ABC):
     def latest(self) -> float:
         """When the next step ends at the latest: at a stop, or where it would miss how a function of time varies."""
         return min(self.stop, self._scales.until(self.t)) if self._scales.any else self.stop
-
-    @cached_property
-    def _scales(self) -> TimeScales:
-        """How quickly the functions of time vary over the times with which the motion began."""
-        return TimeScales(self._time_functions, float(self.times[0]), float(self.times[-1]))
 
     @property
     def step(self) -> float | None:

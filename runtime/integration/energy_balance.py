@@ -71,7 +71,7 @@ class EnergyBalance:
             driven = slice(saddle.roles.rigid.size, saddle.roles.holonomic.size)
             drives -= float(saddle.balancing.mu[driven] @ saddle.motion[1])
         if saddle.system.loads.any:
-            t, w = float(saddle.work.struct.t), saddle.work
+            t, w = saddle.inside(float(saddle.work.struct.t)), saddle.work
             potential += saddle.system.loads.potential(t, saddle.system.kinematics.values(w.e, w.x))
             drives += saddle.system.loads.power(t, np.concatenate([w.w, w.v]))
         self._next = c.kinetic + c.strain, potential, c.lost, drives

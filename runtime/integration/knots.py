@@ -21,12 +21,13 @@ JUMP = 1e-9  # relative change across a knot that counts as a jump
 OTHER = (
     0.01  # relative difference of a prescribed rate at a start that is more than the error of another motion
 )
+MOST_KNOTS = 1000  # of one function that are looked for at once
 SMOOTH, FORCES, RATES = "smooth", "forces", "rates"  # what jumps at a knot
 
 
 @dataclass(frozen=True)
-class LawKnots:
-    """The knots of a law: its stress is continuous there.
+class KnownKnots:
+    """Knots whose times are known: those of a law, whose stress is continuous there, or jumps that were looked for.
 
     Attributes
     ----------
@@ -72,6 +73,8 @@ class Knots:
     system : CoreSystem
     begin, end : float
         Times of the motion [s].
+    jumps : ndarray, optional
+        Times [s] at which functions jump that say nothing of it.
 
     Attributes
     ----------
@@ -81,14 +84,14 @@ class Knots:
         The present one.
     """
 
-    def __init__(self, system: CoreSystem, begin: float, end: float) -> None:
+    def __init__(self, system: CoreSystem, begin: float, end: float, jumps: Array | None = None) -> None:
         self._names = [system.structure.names[i] for i in system.roles.prescribed]
         self._prescribed = system.roles.prescribed
         self._motions, self._loads = system.roles.motions, system.loads.functions
-        laws = [LawKnots(np.array(law.knots)) for law in system.structure.laws if law.knots]
+        known = [np.array(law.knots) for law in system.structure.laws]
         self._functions: list[object] = [
             *(f for f in (*self._motions, *self._loads) if hasattr(f, "next_knot")),
-            *laws,
+            *(KnownKnots(times) for times in (*known, jumps) if times is not None and times.size),
         ]
         self._size = max(abs(begin), abs(end))
         self.end, self.interval = np.inf, Interval()

@@ -13,6 +13,8 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.time_functions import TimeFunction, calls_user, next_knot, sampled
+from flexel.integration.jumps import jumps
+from flexel.integration.knots import ASIDE, MOST_KNOTS
 
 INTERVALS = 4096  # into which a motion is divided where a function takes all times at once
 FEWER = 512  # where it is called for each time
@@ -22,7 +24,6 @@ STRETCH = (
 )
 ROUNDED_RANGE = 1e-12  # range of a function, over its size, that is rounding
 SAMPLES_AWAY = 5  # distances of samples from a sample up to the farthest that its cubic goes through
-MOST_KNOTS = 1000
 FINER, LEVELS = (
     128,
     3,
@@ -40,11 +41,20 @@ class TimeScales:
     functions : iterable of TimeFunction
     begin, end : float
         Times of the motion [s].
+
+    Attributes
+    ----------
+    jumps : ndarray
+        Times [s] at which functions jump that say nothing of it, increasing.
+    any : bool
+        Whether steps are limited anywhere.
     """
 
     def __init__(self, functions: Iterable[TimeFunction], begin: float, end: float) -> None:
         own = [f for f in functions if calls_user(f)] if end > begin else []
-        stretches = [list(_stretches(function, begin, end)) for function in own]
+        looks = [_Look(function, begin, end) for function in own]
+        self.jumps = np.unique(np.concatenate([np.zeros(0), *(look.jumps for look in looks)]))
+        stretches = [look.stretches() for look in looks]
         self._stretches = [tuple(zip(*found, (end, np.inf), strict=True)) for found in stretches if found]
         self.any = bool(self._stretches)
 
@@ -62,32 +72,53 @@ class TimeScales:
         return t + longest
 
 
-def _stretches(function: TimeFunction, begin: float, end: float) -> Iterator[tuple[float, float]]:
-    """Yield the beginnings of the stretches of a motion, and the longest steps over them [s]; none if it is smooth."""
-    values = sampled(function, begin, end, INTERVALS, FEWER)
-    size = float(np.ptp(values))
-    if size > ROUNDED_RANGE * float(np.max(np.abs(values))):  # neither constant, nor not finite
-        found = list(_divided(function, begin, end, values, DETAIL * size, LEVELS))
-        if min(limit for _, limit in found) < np.inf:
-            yield from found
+class _Look:
+    """One function, looked at from one time to another [s]: where it jumps, and how quickly it varies."""
+
+    def __init__(self, function: TimeFunction, begin: float, end: float) -> None:
+        self._function, self._begin, self._end = function, begin, end
+        values = self._values = sampled(function, begin, end, INTERVALS, FEWER)
+        size = float(np.ptp(values))
+        self._varies = size > ROUNDED_RANGE * float(
+            np.max(np.abs(values))
+        )  # neither constant, nor not finite
+        self._least, self.jumps = DETAIL * size, np.zeros(0)
+        if self._varies:
+            known, times = _knots(function, begin, end), np.linspace(begin, end, values.size)
+            within = ASIDE / 8 * max(abs(begin), abs(end))
+            found = jumps(function, times, values, self._least, within)
+            self.jumps = found[_distances(found, known) > times[1] - times[0]]
+            self._knots = np.union1d(known, self.jumps)
+
+    def stretches(self) -> list[tuple[float, float]]:
+        """Return the beginnings of stretches, and the longest steps over them [s]; none if it is smooth."""
+        if not self._varies:
+            return []
+        found = list(self._divided(self._begin, self._end, self._values, LEVELS))
+        return found if min(limit for _, limit in found) < np.inf else []
+
+    def _divided(self, begin: float, end: float, values: Array, levels: int) -> Iterator[tuple[float, float]]:
+        """Yield the stretches between two times [s] from samples there, with finer ones where these do not suffice."""
+        times = np.linspace(begin, end, values.size).tolist()
+        limits = _limits(values, self._least, times, self._knots)
+        first = [
+            0,
+            *(np.flatnonzero(limits[1:] != limits[:-1]) + 1).tolist(),
+        ]  # equal neighbours are one stretch
+        finest = 1.5 * STRETCH * (end - begin) / (values.size - 1)  # less than that of the next distance
+        unresolved = [i for i in first if limits[i] <= finest]
+        divides = levels > 0 and len(unresolved) <= MOST_STRETCHES
+        for i, following in zip(first, [*first[1:], limits.size], strict=True):
+            if divides and limits[i] <= finest:
+                inner = sampled(self._function, times[i], times[following], FINER, FINER)
+                yield from self._divided(times[i], times[following], inner, levels - 1)
+            else:
+                yield times[i], float(limits[i])
 
 
-def _divided(
-    function: TimeFunction, begin: float, end: float, values: Array, least: float, levels: int
-) -> Iterator[tuple[float, float]]:
-    """Yield the stretches between two times [s] from samples there, with finer ones where these do not suffice."""
-    times = np.linspace(begin, end, values.size).tolist()
-    limits = _limits(values, least, times, _knots(function, begin, end))
-    first = [0, *(np.flatnonzero(limits[1:] != limits[:-1]) + 1).tolist()]  # equal neighbours are one stretch
-    finest = 1.5 * STRETCH * (end - begin) / (values.size - 1)  # less than that of the next distance
-    unresolved = [i for i in first if limits[i] <= finest]
-    divides = levels > 0 and len(unresolved) <= MOST_STRETCHES
-    for i, following in zip(first, [*first[1:], limits.size], strict=True):
-        if divides and limits[i] <= finest:
-            inner = sampled(function, times[i], times[following], FINER, FINER)
-            yield from _divided(function, times[i], times[following], inner, least, levels - 1)
-        else:
-            yield times[i], float(limits[i])
+def _distances(times: Array, known: Array) -> Array:
+    """Return the distance [s] of each time from the nearest of those that are known."""
+    return np.asarray(np.min(np.abs(times[:, None] - known), axis=1, initial=np.inf))
 
 
 def _limits(values: Array, least: float, times: list[float], knots: Array) -> Array:

@@ -243,11 +243,13 @@ class Kinematics:
         if code == lib.FLEXEL_MASSLESS:
             return self._massless(choice or self.choice)
         what = "velocities" if code == lib.FLEXEL_SLIDING else "position"
-        names = self.roles.kinematic if code == lib.FLEXEL_SLIDING else self.roles.dofs
+        chosen = self.roles.kinematic if code == lib.FLEXEL_SLIDING else self.roles.dofs
+        given, remedy = f"the degrees of freedom {self.names(chosen)}", "choose other independent coordinates"
+        if not chosen.size:
+            given = f"the prescribed motions of {self.names(self.roles.prescribed)}"
+            remedy = "prescribe another quantity, or store states at other times"
         return ConstraintError(
-            f"the degrees of freedom {self.names(names)} do not determine the {what} at t = {t:g} s (singular "
-            f"position); "
-            "choose other independent coordinates"
+            f"{given} do not determine the {what} at t = {t:g} s (singular position); {remedy}"
         )
 
     def _massless(self, choice: CoordinateWork) -> FlexelError:

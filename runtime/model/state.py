@@ -16,6 +16,7 @@ from flexel.model.constraints import ConstraintReport, constraint_report
 from flexel.model.handle import Handle, name_of
 from flexel.model.instances import Instance
 from flexel.model.profiles import SectionForces
+from flexel.model.quantities import history
 from flexel.model.role_lists import Roles
 from flexel.model.stress import BeamStress, beam_stress, largest_stress, section_forces
 from flexel.model.structure import Structure
@@ -153,19 +154,34 @@ class State:
         return self.rates[self.roles.dynamic]
 
     def __getitem__(self, name: str) -> float:
-        """Return a coordinate, a deformation, a law's internal state or a controller's output; slips have none."""
-        if isinstance(name, str) and name in self.structure.internal:
-            return float(self.z[self.structure.internal[name]])
-        if isinstance(name, str) and name in self.structure.commands:
-            controller, place = self.structure.commands[name]
-            return float(controller.outputs_at(self)[place])
-        i, m = self.structure.find(name), self.structure.m
-        if i < m:
+        """Return a coordinate, a deformation, a law's internal state or a controller's output; slips have none.
+
+        As in a motion, ``name'`` is a rate, ``name''`` an acceleration, and ``force:name`` a stress or reaction.
+        """
+        s = self.structure
+        i = s.index[name] if isinstance(name, str) and name in s.index else -1
+        if i < 0:
+            return self._of_other(name)
+        if i < s.m:
             return float(self.e[i])
-        i -= m + self.structure.k
+        i -= s.m + s.k
         if i < 0:
             raise ModelError(f"slip '{name}' has no value, only a rate; use rate('{name}')")
         return float(self.x[i])
+
+    def _of_other(self, name: Any) -> float:
+        """Return what a name stands for that is not a quantity by itself."""
+        s = self.structure
+        if not isinstance(name, str):
+            return float(s.find(name))  # which raises
+        if name in s.internal:
+            return float(self.z[s.internal[name]])
+        if name in s.commands:
+            controller, place = s.commands[name]
+            return float(controller.outputs_at(self)[place])
+        quantity = history(s, name)
+        read = {-1: self.force, 1: self.rate, 2: self.acceleration}
+        return read[quantity.order](quantity.base)
 
     def rate(self, name: str) -> float:
         """Return the rate of a coordinate, a deformation or a law's internal state, or a slip itself."""

@@ -108,6 +108,26 @@ def rotors(draw: Draw) -> Case:
 
 
 @st.composite
+def tethered(draw: Draw) -> Case:
+    """One or two bodies that spin fast on springs, which are fixed beside their centres of mass."""
+    s = Sketch(draw, 3)
+    last, _ = s.ground()
+    for i in range(draw(st.integers(1, 2))):
+        p, r = s.point(f"P{i}", (0.3 * i, -0.1, -0.8 * (i + 1))), s.turn(f"R{i}")
+        s.body(f"b{i}", p, r, offset=False)
+        beside = s.point(
+            f"Q{i}", (0.3 * i + 0.1, 0.1 * draw(st.sampled_from((-1, 0, 1))) - 0.1, -0.8 * i - 0.7)
+        )
+        s.add("body_point", f"arm{i}", p, r, beside)
+        s.add("truss", f"t{i}", last, beside)
+        s.add("spring", f"t{i}.elongation", 10.0 ** draw(st.integers(0, 3)))
+        last = p
+    fast = draw(st.sampled_from((1.0, 5.0, 30.0)))
+    speeds = tuple(fast * rate for rate in draw(rates()))
+    return Case("tethered bodies", (0.0, 0.0, -9.81), tuple(s.parts), speeds, known=frozenset({"adrift"}))
+
+
+@st.composite
 def driven(draw: Draw) -> Case:
     """A pendulum on a trolley that moves as prescribed, with kinks of the path or of its rate."""
     s = Sketch(draw, 2)
@@ -161,6 +181,7 @@ HARD: dict[str, st.SearchStrategy[Case]] = {
     "inverted pendulums": inverted(),
     "vibrations": vibrations(),
     "rotors": rotors(),
+    "tethered bodies": tethered(),
     "driven pendulums": driven(),
     "steel beams": spun(),
 }
