@@ -216,8 +216,9 @@ class RotaryInertia(Part[None]):
     frame: Node | str = entry("Orientation node, or warping node.")
     inertia: Any = array_quantity(
         "kg m²",
-        "Inertia in body axes []: (xx, yy, zz, xy, xz, yz) as tensor components or a symmetric (3, 3), which need not "
-        "be the inertia of a real body; one number in a planar model.  For a warping node, one number in kg m⁴: "
+        "Inertia in body axes []: three principal moments, (xx, yy, zz, xy, xz, yz) as tensor components or a "
+        "symmetric (3, 3), which need not be the inertia of a real body; one number in a planar model.  For a warping "
+        "node, one number in kg m⁴: "
         "density times warping constant times the length that it represents.",
         form="array_like",
     )
@@ -232,12 +233,15 @@ class RotaryInertia(Part[None]):
             to.element(self.name, kind, [node], {"J": J})
             return
         J = array(self.inertia, owner, "inertia")
+        if J.shape == (3,):
+            J = np.diag(J)
         if J.shape == (6,):
             xx, yy, zz, xy, xz, yz = J
             J = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
         if J.shape != (3, 3) or np.max(np.abs(J - J.T)) > 1e-12 * np.max(np.abs(J)):
             raise ModelError(
-                f"{owner}: {J.tolist()} is not a tensor; give (xx, yy, zz, xy, xz, yz) or a symmetric 3x3"
+                f"{owner}: {J.tolist()} is not a tensor; give 3 principal moments, (xx, yy, zz, xy, xz, yz) "
+                "or a symmetric 3x3"
             )
         if np.linalg.eigvalsh(J)[0] < -1e-12 * np.max(np.abs(J)):
             raise ModelError(f"{owner}: a principal moment of {J.tolist()} is negative; check the signs")

@@ -145,7 +145,9 @@ class SparseFactors:
 
 SHIFT = 1e-12  # of the diagonal, relative to the largest entry, with which a singular matrix is factorized
 ITERATIONS = 4  # of inverse iteration
-ROUNDING = 1e-9  # image of a null vector of unit size, and its entries that count as zero, relative
+ROUNDING = 1e-9  # entries of a null vector, relative to the largest, that count as zero
+# Entries of its image, over the sums of their terms, and over the largest entry of the matrix.
+CANCELLING, BELOW = 1e-11, 1e-14
 
 
 def null_vector(matrix: Any) -> Array | None:
@@ -161,7 +163,8 @@ def null_vector(matrix: Any) -> Array | None:
     for _ in range(ITERATIONS):
         x = shifted.solve(x)
         x /= np.abs(x).max()
-    if np.abs(matrix @ x).max() > ROUNDING * size:
+    image, terms = np.abs(matrix @ x), abs(matrix) @ np.abs(x)
+    if np.any(image > CANCELLING * terms + BELOW * size):
         return None
     x[np.abs(x) < ROUNDING] = 0.0
     return x

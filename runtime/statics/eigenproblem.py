@@ -30,6 +30,8 @@ SKEW_TOLERANCE = 1e-7
 ROUNDING = (
     1e-14  # the same relative to the largest stiffness: rounding errors of the sums in which it cancels
 )
+BESIDE = 0.1  # distance of the shift from zero, over the largest eigenvalue that is wanted
+NEARER, NEAREST = 3, 1e-3  # how often the shift moves there, and by how much at most: a free motion has w = 0
 
 
 @dataclass(frozen=True)
@@ -73,8 +75,16 @@ class Pencil:
             Z = null_space(self.C.toarray(), self.size)[0]
             values, vectors = self._dense(Z.T @ self.K @ Z, Z.T @ (self.M @ Z), Z)
             return values, Z @ vectors
-        count = min(count, self.size - 2)
-        values, vectors = self._large(_eigsh, (self.K + self.K.T) / 2, count, shift)
+        count, symmetric = min(count, self.size - 2), (self.K + self.K.T) / 2
+        values, vectors = self._large(_eigsh, symmetric, count, shift)
+        for _ in range(
+            NEARER
+        ):  # from far away, eigenvalues are hard to tell from one another, and one may be missed
+            wanted = -BESIDE * float(np.abs(values).max())
+            if wanted <= shift:
+                break
+            shift = min(wanted, NEAREST * shift)
+            values, vectors = self._large(_eigsh, symmetric, count, shift)
         if self.skew(values, vectors):
             values, vectors = self._large(_eigs, self.K, count, shift)
         order = np.argsort(values.real)
@@ -83,7 +93,8 @@ class Pencil:
     def skew(self, values: Array, vectors: Array) -> bool:
         """Whether the skew part of K couples these modes (nf or more, …) of its symmetric part."""
         V = vectors[: self.size]
-        return skew(V.T @ ((self.K - self.K.T) @ V) / 2, values, self._mass(V))
+        sums = np.abs(V).T @ (abs(self.K) @ np.abs(V))
+        return skew(V.T @ ((self.K - self.K.T) @ V) / 2, values, self._mass(V), ROUNDING * sums)
 
     def _mass(self, V: Array) -> Array:
         return np.asarray(np.einsum("ij,ij->j", V, self.M @ V))
@@ -103,7 +114,7 @@ class Pencil:
         T = A + B @ self._condensed(symmetric, A, B, Z)
         values, V = eigh(T.T @ symmetric @ T, T.T @ M @ T if not B.size else np.diag(m[~massless]))
         odd = T.T @ (K - K.T) @ T / 2
-        if not skew(V.T @ odd @ V, values, np.ones(values.size)):
+        if not skew(V.T @ odd @ V, values, np.ones(values.size), ROUNDING * np.abs(values).max(initial=0.0)):
             return np.asarray(values), np.asarray(T @ V)
         T = A + B @ self._condensed(K, A, B, Z)
         root = 1 / np.sqrt(m[~massless])
@@ -138,14 +149,16 @@ class Pencil:
         return A, B, np.random.default_rng(0).standard_normal(A.shape[0])
 
 
-def skew(coupling: Array, values: Array, mass: Array) -> bool:
+def skew(coupling: Array, values: Array, mass: Array, rounding: float | Array) -> bool:
     """Whether a skew part (modes, modes) in the modes of the symmetric part changes their eigenvalues.
 
     Parameters
     ----------
     values, mass : ndarray (modes,)
         Eigenvalues, and the norms of the modes, whose products are their stiffnesses.
+    rounding : float or ndarray (modes, modes)
+        Coupling that may be a rounding error: all of it, between motions without stiffness.
     """
     stiffness = np.abs(values * mass)
     pairs = np.sqrt(np.outer(stiffness, stiffness))
-    return bool(np.any(np.abs(coupling) > SKEW_TOLERANCE * pairs + ROUNDING * float(pairs.max(initial=0.0))))
+    return bool(np.any(np.abs(coupling) > SKEW_TOLERANCE * pairs + rounding))

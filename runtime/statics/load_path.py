@@ -22,11 +22,15 @@ from flexel.model.state import State
 from flexel.statics.equilibrium import MAX_STEP, STALLED_TOLERANCE, TOLERANCE, Equations, Rest
 from flexel.statics.growth import growing_motions
 from flexel.statics.search import Search
-from flexel.statics.settling import descend, settle, unstable_motions
+from flexel.statics.settling import descend, push, unstable_motions
 from flexel.system import CoreSystem
 
 log = logging.getLogger("flexel.statics")
 ARCS = Arcs(first=0.1, largest=0.5, smallest=1e-7, steps=2000)
+MOST_PUSH = (
+    20.0  # forces that push, over those along the unstable motion at its start for the size of the model
+)
+MOST_LEFT = 10  # unstable equilibria that are left, one after another
 
 
 @dataclass
@@ -83,13 +87,42 @@ def equilibrium(
     log.info("equilibrium at t = %g s%s", t, f", unstable {unstable}" if unstable else "")
     if not (unstable and stable):
         return FoundEquilibrium(state, unstable)
-    settled = settle(problem, t, q, mu) if count else None
+    settled = _left(problem, state, mu, q, start.x - state.x) if count else None
     if settled is None:
         raise PositionError(
-            f"no stable equilibrium found{problem.when(t)}: the one that was found is unstable, and a descent from it "
+            f"no stable equilibrium found{problem.when(t)}: the one that was found is unstable, and the way out of it "
             "reaches none; start nearer to one, or support the parts that move"
         )
-    return FoundEquilibrium(problem.state(settled[0].balance), "")
+    return FoundEquilibrium(settled, "")
+
+
+def _left(problem: Rest, state: State, mu: Array, q: Equations, onward: Array) -> State | None:
+    """Return the stable equilibrium to which the way out of an unstable one leads; None if it leads nowhere.
+
+    It begins on the side of a displacement `onward` (n,): where the search started, from where a model with an
+    imperfection moves to its own side.
+
+    Forces push along the motion in which it is unstable.  The further the model has moved, the less they need to
+    push, until they vanish at another equilibrium.  Where parts turn so far that they only grow, the model descends.
+    """
+    for _ in range(MOST_LEFT):
+        forces = push(problem, q, onward)
+        if forces is None:
+            return None
+        before = state.x
+        found = _follow(problem, LoadPath(problem, state, mu, (state.t, state.t), forces))
+        state = found.states[-1]
+        q, mu = _again(problem, state)
+        if found.message:
+            descended = descend(problem, state.t, state.x, mu, state.e)
+            if descended is None:
+                return None
+            q, mu = Search(problem, state.t).found(descended[0].balance.x, descended[1], state.e) or descended
+            state = problem.state(q.balance)
+        if not unstable_motions(problem, q):
+            return state
+        onward = state.x - before
+    return None
 
 
 def _unstable(system: CoreSystem, state: State, count: int | None, *, held: bool) -> str:
@@ -113,7 +146,7 @@ def _balanced(problem: Rest, t: float, start: State) -> tuple[Equations, Array]:
         if found is not None:
             return found
         log.info("t = %g s: Newton's method does not converge; the unbalance is removed gradually", t)
-        path = _follow(problem, start, mu, t, t)
+        path = _follow(problem, LoadPath(problem, start, mu, (t, t)))
         if not path.message:
             return _again(problem, path.states[-1])
         failure: FlexelError = PositionError(f"no equilibrium found{problem.when(t)}: {path.message}")
@@ -155,16 +188,15 @@ def static_path(system: CoreSystem, t_end: float, start: State) -> FoundPath:
     end = number(t_end, "static_path", "t_end")
     if end == start.t:
         raise ModelError(f"static_path: t_end is the time of the start, {end:g} s; give another time")
-    return _follow(problem, start, problem.multipliers(start), start.t, end)
+    return _follow(problem, LoadPath(problem, start, problem.multipliers(start), (start.t, end)))
 
 
-def _follow(problem: Rest, start: State, mu: Array, t0: float, t1: float) -> FoundPath:
-    """Follow equilibria by arc length while the parameter p goes from 0 to 1.
+def _follow(problem: Rest, curve: LoadPath) -> FoundPath:
+    """Follow equilibria by arc length until p is 1 and no forces remain.
 
-    At p the time is t0 + p (t1 - t0), and the fraction 1 - p of the start's residual remains.
     If the end was not reached, there is a message with the place and the reason.
     """
-    curve = LoadPath(problem, start, mu, (t0, t1))
+    t0, t1 = curve.times
     found = FoundPath([problem.state(curve.first.rest.balance)], [curve.unstable(curve.first)])
     states, passed = found.states, list[CurvePoint[Loaded]]()
 
@@ -176,11 +208,14 @@ def _follow(problem: Rest, start: State, mu: Array, t0: float, t1: float) -> Fou
     level = np.append(np.zeros(curve.start.size), 1.0)
 
     def finish(guess: Array, known: CurvePoint[Loaded], arc: float) -> bool:
+        if guess[-1] > 1.0:
+            found.message = "the forces that push no longer move the model on"
+            return True
         nf = problem.structure.nf
         there = corrected(curve, np.append(guess[:-1], 1.0), level, known, arc)
         if there is None:
             return False
-        x = np.concatenate([there.y[:nf], start.x[nf:]])
+        x = np.concatenate([there.y[:nf], curve.held])
         e = there.equations.rest.balance.e
         end = Search(problem, t1).found(x, there.y[nf:-1], e)  # with all digits
         if end is not None:
@@ -188,15 +223,17 @@ def _follow(problem: Rest, start: State, mu: Array, t0: float, t1: float) -> Fou
         return end is not None
 
     try:
-        first = point_at(curve, np.append(curve.start, 0.0), curve.first)
+        first = point_at(curve, np.append(curve.start, curve.begin), curve.first)
         passed.append(replace(first, unstable=found.unstable[0]))
-        arc = follow(curve, passed[0], (-np.inf, 1.0), ARCS, keep, finish)
+        ends = (-np.inf, 1.0) if curve.begin < 1 else (1.0, 1.0 + MOST_PUSH)
+        arc = follow(curve, passed[0], ends, ARCS, keep, finish)
     except TangentError as error:
         found.message = (
             f"the path stopped{problem.when(states[-1].t)} after {len(states)} equilibria: {error}"
         )
         return found
-    found.message = "" if arc is None else _stopped(problem, states, float(passed[0].y[-1]), arc, t0 != t1)
+    if arc is not None:
+        found.message = _stopped(problem, states, float(passed[0].y[-1]), arc, t0 != t1)
     told = f"; {found.message}" if found.message else ""
     log.info("path to t = %g s: %d equilibria%s", states[-1].t, len(states), told)
     return found
@@ -212,18 +249,24 @@ class Loaded:
 
 
 class LoadPath:
-    """Equilibria (x, mu) over the parameter p, see `_follow`."""
+    """Equilibria (x, mu) over a parameter p.
+
+    At p the time is t0 + p (t1 - t0), and the share 1 - p of some forces acts: of the residual at the start, from where
+    p goes from 0 to 1; or of forces that push, which are zero where p begins, at 1.
+    """
 
     tolerance, stalled, further = TOLERANCE, STALLED_TOLERANCE, 1
     retried: tuple[type[Exception], ...] = ()
 
-    def __init__(self, problem: Rest, start: State, mu: Array, times: tuple[float, float]) -> None:
+    def __init__(
+        self, problem: Rest, start: State, mu: Array, times: tuple[float, float], push: Array | None = None
+    ) -> None:
         self.problem, self.nf, self.times = problem, problem.structure.nf, times
         self.held = start.x[self.nf :]
         self.start = np.concatenate([start.x[: self.nf], mu])
         rest = problem.equations(times[0], start.x, mu, start.e)
-        self.unbalance = rest.residual
-        self.first = self._loaded(rest, 0.0)
+        self.unbalance, self.begin = (rest.residual, 0.0) if push is None else (push, 1.0)
+        self.first = self._loaded(rest, self.begin)
         self._weights = np.concatenate([problem.x_scale**-2.0, np.zeros(mu.size), [1.0]])
 
     def _loaded(self, rest: Equations, p: float) -> Loaded:

@@ -17,11 +17,16 @@ SEARCH = (
     0.2  # longest step in natural scales: stiff beams far from equilibrium do not converge in longer ones
 )
 POLISHING_STEPS = 3  # most further steps: they gain digits where stiffnesses differ much
+CONVERGES = 1e-3  # length of the next step, over that of one, that shows that the method converges there
 ROUNDING = 1e-14  # step, in natural scales, that is a rounding error
+LONG_STEP = 1e-10  # the same beyond which an equilibrium is not found yet, whatever its residual
+# Forces that are rounding errors, over the largest that their coordinates may cause.
+ROUNDED_FORCES = 10 * np.finfo(float).eps
 MAX_NULL_SPACE_SIZE = 1500  # most unknowns for which a singular matrix has a least-squares solution
 # Largest share of a residual that may remain after a step that leaves out free motions.
 MAX_MISSED_SHARE = 0.5
 FORCE_TOLERANCE = 1e-6  # relative change of a force that does not depend on a motion
+UNSETTLED = 2 * STALLED_TOLERANCE  # error of a point that a force still moves
 Unknowns = tuple[Array, Array, Array]  # coordinates, multipliers, nearby deformations
 
 
@@ -55,27 +60,45 @@ class Search:
     def _polished(self, point: Unknowns, q: Equations, error: float) -> tuple[Equations, Array]:
         """Take further steps; their lengths decide, as the residual of a stiff model reaches rounding level earlier.
 
-        A step that enlarges the residual is not kept: along a motion that is free at the equilibrium (the spin of a
-        hanging pendulum), a step is a quotient of rounding errors.
+        A step that enlarges the residual is not kept, unless the next one is far shorter: along a motion that is free
+        at the equilibrium (the spin of a hanging pendulum), all steps are quotients of rounding errors.
         """
-        last = np.inf
-        for _ in range(
-            POLISHING_STEPS if q.matrix.factors.regular else 0
-        ):  # free motions are handled elsewhere
-            step = self._step(q)
+        if not q.matrix.factors.regular:  # free motions are handled elsewhere
+            return q, point[1]
+        last, step = np.inf, self._step(q)
+        for _ in range(POLISHING_STEPS):
             size = self.problem.extent(step)
             if not ROUNDING < size < min(0.5 * last, MAX_STEP):
                 break
             there = self._moved(point, q, step)
             better, left = self._evaluate(there)
-            if not left <= max(TOLERANCE, error):  # false for NaN
+            if not (left < STALLED_TOLERANCE and better.matrix.factors.regular):  # false for NaN
                 break
-            point, q, last, error = there, better, size, left
+            following = self._step(better)
+            if left > max(TOLERANCE, error) and self.problem.extent(following) > CONVERGES * size:
+                break
+            point, q, last, error, step = there, better, size, left, following
         return q, point[1]
 
     def _evaluate(self, point: Unknowns) -> tuple[Equations, float]:
+        """Evaluate the equations, and their error: that of a point from which a force still moves the model is large.
+
+        Beside a stiff part, forces on soft ones are so small that they seem to be in balance.
+        """
         q = self.problem.equations(self.t, *point)
-        return q, self.problem.size(q, q.residual)
+        error = self.problem.size(q, q.residual)
+        return q, max(error, UNSETTLED) if error < STALLED_TOLERANCE and self._moves(q) else error
+
+    def _moves(self, q: Equations) -> bool:
+        """Whether the next step is long, and its forces are more than rounding errors of the coordinates."""
+        if not q.matrix.factors.regular:
+            return False
+        step, scale = self._step(q), self.problem.x_scale
+        if self._neutral or not LONG_STEP < self.problem.extent(step):
+            return False
+        K, nf = abs(q.matrix.sparse.tocsr()[: self.nf, : self.nf]), self.nf
+        rounded = ROUNDED_FORCES * (K @ scale + q.balance.scale)
+        return bool(abs(step[:nf] @ q.residual[:nf]) > np.abs(step[:nf]) @ rounded)
 
     def _move(self, point: Unknowns, q: Equations) -> Unknowns:
         step = self._step(q)

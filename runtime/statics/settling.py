@@ -1,4 +1,4 @@
-"""Judges the stability of an equilibrium, and descends to a stable one if the tangent does not lead to it.
+"""Judges the stability of an equilibrium, and descends to one if no stiffness resists.
 
 Descent: Newton's step in the eigenvectors of the stiffness on the admissible motions, with the magnitude of each
 eigenvalue, so that the potential decreases along every eigenvector; each part is limited.  A pendulum drawn
@@ -23,7 +23,8 @@ from flexel.statics.equilibrium import MAX_STEP, STALLED_TOLERANCE, TOLERANCE, E
 splu: Any = untyped_splu
 MAX_SIZE = 1500  # most coordinates and multipliers for which stability is judged
 MAX_DESCENT_SIZE = 600  # the same for a descent, which computes all eigenvectors at every step
-NEUTRAL_TOLERANCE = 1e-11  # eigenvalue, relative to the largest entry of the stiffness, that counts as zero
+NEUTRAL_TOLERANCE = 1e-11  # eigenvalue, relative to the stiffnesses of coordinates, that counts as zero
+ROUNDED_STIFFNESS = 1e-5  # of a coordinate, over the largest, whose last digits are rounding errors
 SYMMETRY_TOLERANCE = 1e-7  # relative difference below which a tangent counts as symmetric
 SYMMETRY_ROUNDING = 1e-12  # the same relative to its largest entry
 # Growth of entries in an elimination without exchanges, beside the largest, at which the signs of pivots still hold:
@@ -33,8 +34,6 @@ SPRING_STIFFNESS = 100.0  # of springs on the conditions, relative to the larges
 MAX_STEPS = 200
 # Stiffness, relative to that at the start of a descent, that indicates a singular element.
 SINGULAR_STIFFNESS = 1e9
-KICK_SIZE = 0.05  # displacement from an unstable equilibrium, in natural scales
-MAX_KICKS = 10  # unstable equilibria that a descent may pass
 
 
 @dataclass(frozen=True)
@@ -87,9 +86,17 @@ def unstable_motions(problem: Rest, q: Equations) -> int | None:
     if not size:
         return 0
     held = here.D * (size / np.linalg.norm(here.D, axis=1))[:, None]
-    raised = here.K + NEUTRAL_TOLERANCE * size * np.eye(len(here.K))
+    raised = here.K + np.diag(_neutral(here.K.diagonal(), size))
     d = ldl(np.block([[raised, held.T], [held, np.zeros((conditions, conditions))]]))[1]
     return max(0, _negative(d) - conditions)
+
+
+def _neutral(own: Array, size: float) -> Array:
+    """Return the stiffness (nf,) of each coordinate that counts as zero, from its own and the largest entry.
+
+    A slender column that stands along an axis is soft across it, whatever its stiffness along it.
+    """
+    return np.asarray(NEUTRAL_TOLERANCE * np.maximum(np.abs(own), ROUNDED_STIFFNESS * size))
 
 
 def _has_potential(K: Any) -> bool:
@@ -115,8 +122,7 @@ def _negative_pivots(K: csc_array, D: csc_array) -> int | None:
     size = float(np.abs(K.data).max(initial=0.0))
     lengths = np.sqrt(np.asarray(D.multiply(D).sum(axis=1)).ravel())
     D = diags_array(np.sqrt(SPRING_STIFFNESS * size) / np.maximum(lengths, 1e-300)) @ D
-    neutral = diags_array(np.full(K.shape[0], NEUTRAL_TOLERANCE * size))
-    whole = csc_array((K + K.T) / 2 + neutral + D.T @ D)
+    whole = csc_array((K + K.T) / 2 + diags_array(_neutral(K.diagonal(), size)) + D.T @ D)
     try:
         factors = splu(whole, "MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
     except RuntimeError:  # the only sign of a zero pivot
@@ -214,17 +220,26 @@ def _downhill(here: Tangent, r: Array, reach: float) -> Array:
     return np.asarray(-Z @ (V @ np.clip(pull / size, -reach, reach)))
 
 
-def settle(problem: Rest, t: float, q: Equations, mu: Array) -> tuple[Equations, Array] | None:
-    """Descend from an unstable equilibrium to a stable one; return it and its multipliers, or None."""
+def push(problem: Rest, q: Equations, onward: Array) -> Array | None:
+    """Return forces (nf + nm,) along the motion in which an equilibrium is most unstable; None of very large models.
+
+    They move the model by about its size; see `_left` in load_path.py.
+
+    Parameters
+    ----------
+    onward : ndarray (n,)
+        On the side of this displacement, if it has a part in that motion.
+    """
     nf = problem.structure.nf
-    for _ in range(MAX_KICKS):
-        here = tangent(problem, q)
-        Z, _left = null_space(here.D, nf)
-        way = Z @ eigh(Z.T @ here.K @ Z)[1][:, 0]
-        x = q.balance.x.copy()
-        x[:nf] += problem.x_scale * way * (KICK_SIZE / float(np.abs(way).max()))
-        found = descend(problem, t, x, mu, q.balance.e)
-        if found is None or not unstable_motions(problem, found[0]):
-            return found
-        q, mu = found
-    return None
+    if len(q.residual) > MAX_DESCENT_SIZE:
+        return None
+    here = tangent(problem, q)
+    Z, _ = null_space(here.D, nf)
+    w, V = eigh(Z.T @ here.K @ Z)
+    way = Z @ V[:, 0]
+    side = float(way @ (onward[:nf] / problem.x_scale))
+    if abs(side) < NEUTRAL_TOLERANCE:
+        side = float(way[np.argmax(np.abs(way))])
+    forces = np.zeros(len(q.residual))
+    forces[:nf] = np.sign(side) * abs(w[0]) * way / problem.x_scale
+    return forces

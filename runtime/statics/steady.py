@@ -19,6 +19,9 @@ from flexel.system import CoreSystem
 
 TOLERANCE = 1e-13  # residual forces, relative to the largest balancing force
 STALLED_TOLERANCE = 1e-10  # the same, when rounding prevents further progress
+NOISE_SHARE = (
+    10 / STALLED_TOLERANCE
+)  # residual forces that are then accepted too, in rounding errors of coordinates
 MAX_ITERATIONS = 30
 MAX_STEP = 0.3  # largest change of a coordinate in one step
 MAX_HALVINGS = 6  # of a step that leads to an unreachable position
@@ -45,7 +48,7 @@ def steady_motion(
 
     def evaluate(state: State) -> tuple[Unbalance, float]:
         lin = system._linearization(state)
-        scale = _force_scale(system, state, lin)
+        scale = _force_scale(system, state, lin) + NOISE_SHARE * _rounding(system, lin)
         qdd = state.Phi_v[system.roles.dynamic]
         found = Unbalance(-lin.M @ qdd / scale, state.zd, scale, lin, columns, speeds)
         return found, found.size
@@ -72,9 +75,11 @@ class Unbalance:
     Attributes
     ----------
     forces : ndarray (nd,)
-        Residual forces, relative to `scale`, the balancing ones.
+        Residual forces, relative to `scale`.
     lag : ndarray (nz,)
         Rates of internal states of laws.
+    scale : ndarray (nd,)
+        Balancing forces, and what rounding errors of the coordinates cause beside them.
     lin : LinearizedSystem
     columns, speeds : list of int
         The unknown coordinates and rates.
@@ -82,7 +87,7 @@ class Unbalance:
 
     forces: Array
     lag: Array
-    scale: float
+    scale: Array
     lin: LinearizedSystem
     columns: list[int]
     speeds: list[int]
@@ -105,7 +110,7 @@ class Unbalance:
 
     def step(self) -> Array:
         """Return the smallest change of the unknowns that removes it."""
-        by_forces = self._by(self.lin.K, self.lin.C, self.lin.Z) / self.scale
+        by_forces = self._by(self.lin.K, self.lin.C, self.lin.Z) / self.scale[:, None]
         return least(np.vstack([by_forces, self.by_lag]), -np.concatenate([self.forces, self.lag]), 1e-10)
 
 
@@ -137,6 +142,12 @@ def _force_scale(system: CoreSystem, state: State, lin: LinearizedSystem) -> flo
     return max(
         max(largest(work.F[:nf]), largest(pulled[:nf])) * largest(reach), largest(work.M) * 1e-3, 1e-300
     )
+
+
+def _rounding(system: CoreSystem, lin: LinearizedSystem) -> Array:
+    """Return the forces (nd,) that rounding errors of the degrees of freedom cause, by their stiffnesses."""
+    errors = np.finfo(float).eps * system.kinematics.scales(system.roles.dofs)
+    return np.asarray(np.abs(lin.K) @ errors)
 
 
 def _with_rates(system: CoreSystem, start: State, rates: Mapping[str, float]) -> State:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 import numpy as np
 import pytest
 
+import flexel as fx
 from flexel.base.errors import DynamicsError, PositionError, UnstableWarning
 from flexel.examples.bicycle import bicycle
 from flexel.parts.model import Model
@@ -142,3 +143,37 @@ def test_a_standing_bicycle_is_said_to_be_unstable() -> None:
     for hold in ((), np.array([])):
         with pytest.warns(UnstableWarning, match="unstable in motion: 2 eigenvalue"):
             bicycle().equilibrium(hold=hold)
+
+
+def slender(n: int, EA: float, load: tuple[float, float], tilt: float = 0.0) -> fx.System:  # noqa: N803
+    """A column of one metre and one newton metre squared: loads across and along it, at its tip."""
+    along, across = np.array([np.sin(tilt), np.cos(tilt)]), np.array([np.cos(tilt), -np.sin(tilt)])
+    m = fx.Model()
+    for i in range(n + 1):
+        m.point(f"P{i}", i / n * along, fixed=i == 0)
+        m.angle(f"R{i}", fixed=i == 0)
+    for i in range(n):
+        m.beam(f"B{i}", f"P{i}", f"R{i}", f"P{i + 1}", f"R{i + 1}", EA=EA, EIz=1.0)
+    m.load(f"P{n}", load[0] * across - load[1] * along)
+    return m.build()
+
+
+@pytest.mark.parametrize("tilt", [0.0, 0.7])
+@pytest.mark.parametrize("EA", [1e6, 1e9, 3e9, 1e10])
+def test_a_load_across_the_most_slender_column_bends_it(EA: float, tilt: float) -> None:  # noqa: N803
+    """Closed form of a beam under a thrust; beside EA these forces seemed to be in balance, 5 to 78 % too early."""
+    for thrust in (1.0, 2.4):
+        state = slender(8, EA, (1e-5, thrust), tilt).equilibrium()
+        moved = np.cos(tilt) * (state["P8.x"] - np.sin(tilt)) - np.sin(tilt) * (state["P8.y"] - np.cos(tilt))
+        k = np.sqrt(thrust)
+        assert moved == pytest.approx(1e-5 * (np.tan(k) / k - 1) / thrust, rel=4e-3 if thrust > 2 else 1e-4)
+
+
+@pytest.mark.filterwarnings("ignore::flexel.base.errors.RangeWarning")
+@pytest.mark.parametrize("EA", [1e5, 1e7, 1e8, 1e9, 1e10])
+def test_the_most_slender_columns_buckle_to_the_side_of_their_imperfection(EA: float) -> None:  # noqa: N803
+    """Own: by 8 elements of which EA is 1e4; with EA = 1e10 the straight column passed for stable."""
+    for thrust, tip in ((2.5, 0.2078), (3.0, 0.6725), (6.0, 0.7546), (10.0, 0.6070)):
+        for side in (-1.0, 1.0):
+            state = slender(8, EA, (side * 1e-6, thrust)).equilibrium(stable=True)
+            assert state["P8.x"] == pytest.approx(side * tip, rel=3e-3)

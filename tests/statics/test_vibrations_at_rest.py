@@ -113,3 +113,28 @@ def test_modes_that_a_moment_couples_slightly_have_the_frequencies_of_the_linear
     exact = stage.steps[-1].linearize().eigenvalues().imag
     lowest = np.sort(exact[exact > 0])[:3] / (2 * np.pi)
     np.testing.assert_allclose(stage.frequencies[-1], lowest, rtol=1e-7)
+
+
+def free_ring(n: int, R: float, height: float) -> fx.System:
+    """A free steel ring of n beams with a square section [m] in space."""
+    m, E, A, J = fx.Model(gravity=(0, 0, 0)), 2.1e11, height**2, height**4 / 12
+    for i in range(n):
+        m.point(f"p{i}", (R * np.cos(2 * np.pi * i / n), R * np.sin(2 * np.pi * i / n), 0))
+        m.frame(f"r{i}")
+    for i in range(n):
+        ends = (f"p{i}", f"r{i}", f"p{(i + 1) % n}", f"r{(i + 1) % n}")
+        m.beam(f"b{i}", *ends, EA=E * A, EIy=E * J, EIz=E * J, GJ=0.3 * E * J, mass_per_length=7800 * A)
+    return m.build()
+
+
+@pytest.mark.parametrize(
+    ("n", "R", "height"), [(24, 0.3, 1e-2), (90, 0.3, 1e-2), (90, 0.05, 3e-3), (90, 2.0, 1e-3)]
+)
+def test_a_free_ring_has_six_motions_without_stiffness_and_pairs(n: int, R: float, height: float) -> None:
+    """Closed form (Love 1927, section 293); with sparse matrices it fluttered, or had five such motions."""
+    found = np.array([mode.omega for mode in free_ring(n, R, height).vibrations(count=10)])
+    unit = np.sqrt(2.1e11 * height**2 / 12 / 7800) / R**2
+    plane = 2 * 3 / np.sqrt(5) * unit
+    across = 2 * 3 / np.sqrt(4 + 1 / 0.3) * unit
+    assert np.max(np.abs(found[:6])) < 1e-3 * plane
+    assert np.allclose(found[6:], np.sort([plane, plane, across, across]), rtol=6 / n**2)
