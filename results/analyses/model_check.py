@@ -16,6 +16,7 @@ from flexel.mechanics.amplification import amplification, lost
 from flexel.mechanics.diagnose import choose_dofs
 from flexel.mechanics.findings import SEVERITIES, CheckReport, Finding
 from flexel.mechanics.kinematics import size_of
+from flexel.mechanics.singular_drawing import SingularDrawingError
 from flexel.mechanics.suspects import suspects
 from flexel.model.constraints import ConstraintReport, constraint_report
 from flexel.model.lowering import Lowering
@@ -50,12 +51,11 @@ def check(model: Lowering, build: Callable[[], CoreSystem]) -> CheckReport:
         found += suspects(model, structure, size_of(structure))
         found += _degenerate(model, structure)
         report = report_of_model(model)
-        found += _constraints(report)
     except FlexelError as error:  # conflicting roles, or an unknown name
         found.append(Finding("error", "declarations", str(error)))
     else:
         attempt = _built(build, bool(report.redundant))
-        found += attempt.findings
+        found += [*_constraints(report, attempt.singular), *attempt.findings]
         system = attempt.system
     if system is None:
         return _sorted(found, (), ())
@@ -68,8 +68,25 @@ def _sorted(found: list[Finding], dynamic: tuple[str, ...], kinematic: tuple[str
     return CheckReport(tuple(ordered), dynamic, kinematic)
 
 
-def _constraints(report: ConstraintReport) -> Iterator[Finding]:
-    """Find redundant conditions with the smallest set to release, and motions that no elastic law resists."""
+def _constraints(report: ConstraintReport, singular: bool) -> Iterator[Finding]:
+    """Find redundant conditions with the smallest set to release, and motions that no elastic law resists.
+
+    A singular drawing has none to release: another finding says so.
+    """
+    if not singular:
+        yield from _redundant(report)
+    for share in report.motions[:MAX_MOTIONS_SHOWN]:
+        yield Finding(
+            "note",
+            "constraints",
+            f"a mechanism: no law resists a motion of {_leading(declared(share, report.added))}",
+        )
+    if (more := len(report.motions) - MAX_MOTIONS_SHOWN) > 0:
+        yield Finding("note", "constraints", f"a mechanism: no law resists {counted(more, 'more motion')}")
+
+
+def _redundant(report: ConstraintReport) -> Iterator[Finding]:
+    """Find redundant conditions, with the smallest set to release."""
     for share in report.redundant:
         yield Finding(
             "error",
@@ -86,14 +103,6 @@ def _constraints(report: ConstraintReport) -> Iterator[Finding]:
                 "constraints",
                 f"alternatives to '{name}': {quoted(declared(others, report.added))}",
             )
-    for share in report.motions[:MAX_MOTIONS_SHOWN]:
-        yield Finding(
-            "note",
-            "constraints",
-            f"a mechanism: no law resists a motion of {_leading(declared(share, report.added))}",
-        )
-    if (more := len(report.motions) - MAX_MOTIONS_SHOWN) > 0:
-        yield Finding("note", "constraints", f"a mechanism: no law resists {counted(more, 'more motion')}")
 
 
 def _leading(names: list[str]) -> str:
@@ -126,10 +135,11 @@ def report_of_model(model: Lowering) -> ConstraintReport:
 
 @dataclass(frozen=True)
 class Attempt:
-    """Return the system of a model, if it can be built, and the messages."""
+    """The system of a model, if it can be built, the messages, and whether its drawing is singular."""
 
     system: CoreSystem | None
     findings: list[Finding]
+    singular: bool
 
 
 def _built(build: Callable[[], CoreSystem], redundant: bool) -> Attempt:
@@ -148,10 +158,12 @@ def _built(build: Callable[[], CoreSystem], redundant: bool) -> Attempt:
         for warning in said
         if warning.category is not ModelWarning  # already found above
     ]
-    if failure is not None and not (redundant and isinstance(failure, ConstraintError)):
+    singular = isinstance(failure, SingularDrawingError)
+    reported = redundant and isinstance(failure, ConstraintError) and not singular
+    if failure is not None and not reported:
         subject = "constraints" if isinstance(failure, ConstraintError) else "assembly"
         found.append(Finding("error", subject, str(failure)))
-    return Attempt(system, found)
+    return Attempt(system, found, singular)
 
 
 def _freedom(system: CoreSystem) -> Iterator[Finding]:

@@ -17,7 +17,11 @@ DIRECTIONS = 3  # in which one is looked for
 ITERATIONS, REACHED = 20, 1e-10  # of Newton's method, and residual in natural scales
 
 
-def singular_drawing(kinematics: Kinematics, drawn: Configuration) -> ConstraintError | None:
+class SingularDrawingError(ConstraintError):
+    """Conditions are not independent as drawn, but are elsewhere: no condition is to be released."""
+
+
+def singular_drawing(kinematics: Kinematics, drawn: Configuration) -> SingularDrawingError | None:
     """Return the error of a drawing at a dead centre, or flat; None if its constraints are redundant elsewhere too."""
     structure, roles, nf = kinematics.structure, kinematics.roles, kinematics.structure.nf
     if nf > LARGEST or kinematics.evaluation.large:
@@ -34,7 +38,7 @@ def singular_drawing(kinematics: Kinematics, drawn: Configuration) -> Constraint
             names = list(
                 dict.fromkeys(name for column in left.T for name in largest(structure, rows, column))
             )
-            return ConstraintError(
+            return SingularDrawingError(
                 f"the drawing is in a singular position, such as a dead centre, or flat: {quoted(names[:10])} are "
                 "not independent there, but are in other positions; draw it a little aside"
             )

@@ -24,6 +24,8 @@ def test_a_flat_parallelogram_is_drawn_in_a_singular_position() -> None:
         fx.ConstraintError, match=r"drawing is in a singular position.*'coupler 0.elongation'.*a little aside"
     ):
         parallelogram(0.0, 1).build()
+    said = str(parallelogram(0.0, 1).check())  # it advised to release a bar
+    assert "a little aside" in said and "release" not in said and "over-constrained" not in said
     assert len(parallelogram(0.3, 1).build().dynamic) == 1
 
 
@@ -31,6 +33,8 @@ def test_a_flat_parallelogram_is_drawn_in_a_singular_position() -> None:
 def test_two_couplers_are_one_too_many(angle: float) -> None:
     with pytest.raises(fx.ConstraintError, match=r"over-constrained: 1 rigid.*release one of them"):
         parallelogram(angle, 2).build()
+    said = str(parallelogram(angle, 2).check())
+    assert "release" in said and "over-constrained" in said
 
 
 def test_a_slider_that_is_driven_from_its_dead_centre() -> None:
