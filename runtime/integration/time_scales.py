@@ -79,9 +79,8 @@ class _Look:
         self._function, self._begin, self._end = function, begin, end
         values = self._values = sampled(function, begin, end, INTERVALS, FEWER)
         size = float(np.ptp(values))
-        self._varies = size > ROUNDED_RANGE * float(
-            np.max(np.abs(values))
-        )  # neither constant, nor not finite
+        # neither constant, nor not finite
+        self._varies = size > ROUNDED_RANGE * float(np.max(np.abs(values)))
         self._least, self.jumps = DETAIL * size, np.zeros(0)
         if self._varies:
             known, times = _knots(function, begin, end), np.linspace(begin, end, values.size)
@@ -101,10 +100,8 @@ class _Look:
         """Yield the stretches between two times [s] from samples there, with finer ones where these do not suffice."""
         times = np.linspace(begin, end, values.size).tolist()
         limits = _limits(values, self._least, times, self._knots)
-        first = [
-            0,
-            *(np.flatnonzero(limits[1:] != limits[:-1]) + 1).tolist(),
-        ]  # equal neighbours are one stretch
+        # equal neighbours are one stretch
+        first = [0, *(np.flatnonzero(limits[1:] != limits[:-1]) + 1).tolist()]
         finest = 1.5 * STRETCH * (end - begin) / (values.size - 1)  # less than that of the next distance
         unresolved = [i for i in first if limits[i] <= finest]
         divides = levels > 0 and len(unresolved) <= MOST_STRETCHES

@@ -77,9 +77,8 @@ class Pencil:
             return values, Z @ vectors
         count, symmetric = min(count, self.size - 2), (self.K + self.K.T) / 2
         values, vectors = self._large(_eigsh, symmetric, count, shift)
-        for _ in range(
-            NEARER
-        ):  # from far away, eigenvalues are hard to tell from one another, and one may be missed
+        # from a shift that is far away, eigenvalues are hard to tell from one another, and one may be missed
+        for _ in range(NEARER):
             wanted = -BESIDE * float(np.abs(values).max())
             if wanted <= shift:
                 break

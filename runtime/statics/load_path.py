@@ -27,9 +27,7 @@ from flexel.system import CoreSystem
 
 log = logging.getLogger("flexel.statics")
 ARCS = Arcs(first=0.1, largest=0.5, smallest=1e-7, steps=2000)
-MOST_PUSH = (
-    20.0  # forces that push, over those along the unstable motion at its start for the size of the model
-)
+MOST_PUSH = 20.0  # forces that push, over those that would move the model by its size at the start
 MOST_LEFT = 10  # unstable equilibria that are left, one after another
 
 
@@ -103,7 +101,8 @@ def _left(problem: Rest, state: State, mu: Array, q: Equations, onward: Array) -
     imperfection moves to its own side.
 
     Forces push along the motion in which it is unstable.  The further the model has moved, the less they need to
-    push, until they vanish at another equilibrium.  Where parts turn so far that they only grow, the model descends.
+    push, until they vanish at another equilibrium.  If that is unstable, or they only grow, as where parts turn
+    far, the model descends from the way.
     """
     for _ in range(MOST_LEFT):
         forces = push(problem, q, onward)
@@ -113,12 +112,14 @@ def _left(problem: Rest, state: State, mu: Array, q: Equations, onward: Array) -
         found = _follow(problem, LoadPath(problem, state, mu, (state.t, state.t), forces))
         state = found.states[-1]
         q, mu = _again(problem, state)
-        if found.message:
-            descended = descend(problem, state.t, state.x, mu, state.e)
-            if descended is None:
-                return None
-            q, mu = Search(problem, state.t).found(descended[0].balance.x, descended[1], state.e) or descended
-            state = problem.state(q.balance)
+        if not found.message and not unstable_motions(problem, q):
+            return state
+        beside = found.states[-1 if found.message else -2]
+        descended = descend(problem, state.t, beside.x, problem.multipliers(beside), beside.e)
+        if descended is None:
+            return None
+        q, mu = Search(problem, state.t).found(descended[0].balance.x, descended[1], beside.e) or descended
+        state = problem.state(q.balance)
         if not unstable_motions(problem, q):
             return state
         onward = state.x - before
@@ -206,9 +207,11 @@ def _follow(problem: Rest, curve: LoadPath) -> FoundPath:
         passed[:] = [point]
 
     level = np.append(np.zeros(curve.start.size), 1.0)
+    pushed = curve.begin == 1.0
+    ends = (1.0, 1.0 + MOST_PUSH) if pushed else (-np.inf, 1.0)
 
     def finish(guess: Array, known: CurvePoint[Loaded], arc: float) -> bool:
-        if guess[-1] > 1.0:
+        if pushed and guess[-1] > np.mean(ends):
             found.message = "the forces that push no longer move the model on"
             return True
         nf = problem.structure.nf
@@ -225,7 +228,6 @@ def _follow(problem: Rest, curve: LoadPath) -> FoundPath:
     try:
         first = point_at(curve, np.append(curve.start, curve.begin), curve.first)
         passed.append(replace(first, unstable=found.unstable[0]))
-        ends = (-np.inf, 1.0) if curve.begin < 1 else (1.0, 1.0 + MOST_PUSH)
         arc = follow(curve, passed[0], ends, ARCS, keep, finish)
     except TangentError as error:
         found.message = (
