@@ -108,7 +108,7 @@ def static_path(system: CoreSystem, start: State | None = None, *, t_end: float)
     Parameters
     ----------
     start : State, optional
-        A state of equilibrium (see `equilibrium`); the initial configuration by default.
+        A state of equilibrium; by default that near the initial configuration, as `equilibrium` finds it.
     t_end : float
         Time [s] at the end of the path, different from that of the start.
 
@@ -128,7 +128,8 @@ def static_path(system: CoreSystem, start: State | None = None, *, t_end: float)
         If the path becomes unstable where others branch off, as that of a perfect column that buckles. ``verdict`` says
         how many equilibria are unstable.
     """
-    along = load_path.static_path(system, t_end, _at(system, start, "static_path"))
+    given = None if start is None else own_state(system.structure, start, "static_path")
+    along = load_path.static_path(system, t_end, load_path.balanced_start(system, given))
     if along.message:
         warnings.warn(along.message, IncompleteWarning, stacklevel=outside())
     if along.branches:

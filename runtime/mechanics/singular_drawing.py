@@ -10,6 +10,7 @@ from flexel.base.null_space import null_space
 from flexel.base.shown import quoted
 from flexel.mechanics.diagnose import largest
 from flexel.mechanics.kinematics import Configuration, Kinematics
+from flexel.model.constraints import flexible
 
 LARGEST = 300  # free coordinates up to which it is looked for
 STEP = 0.05  # distance to another position, in natural scales
@@ -22,7 +23,11 @@ class SingularDrawingError(ConstraintError):
 
 
 def singular_drawing(kinematics: Kinematics, drawn: Configuration) -> SingularDrawingError | None:
-    """Return the error of a drawing at a dead centre, or flat; None if its constraints are redundant elsewhere too."""
+    """Return the error of a drawing at a dead centre, or flat; None if its constraints are redundant elsewhere too.
+
+    Also None if stiff directions of flexible elements are among them: a flexure that bends far may have none to spare,
+    but is drawn as it is used.
+    """
     structure, roles, nf = kinematics.structure, kinematics.roles, kinematics.structure.nf
     if nf > LARGEST or kinematics.evaluation.large:
         return None
@@ -31,15 +36,15 @@ def singular_drawing(kinematics: Kinematics, drawn: Configuration) -> SingularDr
     motions = null_space(drawn.J[roles.rigid, :nf], nf)[0]
     if not left.shape[1] or not motions.shape[1]:
         return None
+    concerned = list(dict.fromkeys(name for column in left.T for name in largest(structure, rows, column)))
+    if flexible(structure).intersection(concerned):
+        return None
     random = np.random.default_rng(0)
     for _ in range(DIRECTIONS):
         J = _moved(kinematics, drawn, motions @ random.normal(size=motions.shape[1]))
         if J is not None and null_space(J[rows, :nf], nf)[1].shape[1] < left.shape[1]:
-            names = list(
-                dict.fromkeys(name for column in left.T for name in largest(structure, rows, column))
-            )
             return SingularDrawingError(
-                f"the drawing is in a singular position, such as a dead centre, or flat: {quoted(names[:10])} are "
+                f"the drawing is in a singular position, such as a dead centre, or flat: {quoted(concerned[:10])} are "
                 "not independent there, but are in other positions; draw it a little aside"
             )
     return None

@@ -95,9 +95,7 @@ def constraint_report(structure: Structure, roles: Roles, J: Any) -> ConstraintR
     moving = np.arange(nf) + structure.m + structure.k
     names = [structure.names[i] for i in rows]
     usable = {k for k, i in enumerate(rows) if i < structure.m and not structure.is_norm(names[k])}
-    groups = [
-        {k for k in usable if names[k] in group} for group in (_flexible(structure), _joints(structure))
-    ]
+    groups = [{k for k in usable if names[k] in group} for group in (flexible(structure), _joints(structure))]
     released = _releases(C, (*groups, usable))
     return ConstraintReport(
         dofs=right.shape[1],
@@ -130,7 +128,7 @@ def _named(structure: Structure, rows: Index, space: Array) -> list[dict[str, fl
     return found
 
 
-def _flexible(structure: Structure) -> set[str]:
+def flexible(structure: Structure) -> set[str]:
     """Return the deformations of arms that have flexible ones, such as those of beams."""
     bending = {name.split(".")[0] for law in structure.laws for name in law.deformations}
     return {

@@ -30,7 +30,10 @@ SKEW_TOLERANCE = 1e-7
 ROUNDING = (
     1e-14  # the same relative to the largest stiffness: rounding errors of the sums in which it cancels
 )
-BESIDE = 0.1  # distance of the shift from zero, over the largest eigenvalue that is wanted
+CLOSE_ENOUGH = 1e-11  # relative error of eigenvalues of large models; they are refined afterwards
+SAME = 1e-6  # difference of their distances from the shift at which eigenvalues may be copies of one
+LEAST_ROOM = 40  # vectors of Lanczos's method
+BESIDE = 0.1  # distance of the shift below zero and the lowest eigenvalue, over the largest that is wanted
 NEARER, NEAREST = 3, 1e-3  # how often the shift moves there, and by how much at most: a free motion has w = 0
 
 
@@ -75,15 +78,15 @@ class Pencil:
             Z = null_space(self.C.toarray(), self.size)[0]
             values, vectors = self._dense(Z.T @ self.K @ Z, Z.T @ (self.M @ Z), Z)
             return values, Z @ vectors
-        count, symmetric = min(count, self.size - 2), (self.K + self.K.T) / 2
-        values, vectors = self._large(_eigsh, symmetric, count, shift)
+        count = min(count, self.size - 2)
+        values, vectors = self._symmetric(count, shift)
         # from a shift that is far away, eigenvalues are hard to tell from one another, and one may be missed
         for _ in range(NEARER):
-            wanted = -BESIDE * float(np.abs(values).max())
+            wanted = min(0.0, float(values.min())) - BESIDE * float(np.abs(values).max())
             if wanted <= shift:
                 break
             shift = min(wanted, NEAREST * shift)
-            values, vectors = self._large(_eigsh, symmetric, count, shift)
+            values, vectors = self._symmetric(count, shift)
         if self.skew(values, vectors):
             values, vectors = self._large(_eigs, self.K, count, shift)
         order = np.argsort(values.real)
@@ -136,9 +139,25 @@ class Pencil:
     def _large(self, solver: Any, K: Any, count: int, shift: float) -> tuple[Array, Array]:
         """Compute the eigenvalues nearest to a shift, and vectors (nf + nm, …), by Lanczos or Arnoldi."""
         A, B, start = self.bordered(K)
-        inverse = LinearOperator(A.shape, matvec=splu(csc_array(A - shift * B)).solve, dtype=np.float64)
-        values, vectors = solver(A, count, M=B, sigma=shift, OPinv=inverse, v0=inverse @ (B @ start))
-        return values, vectors
+        solve = splu(csc_array(A - shift * B)).solve
+        return _nearest(solver, A, B, solve, start, count, shift)
+
+    def _symmetric(self, count: int, shift: float) -> tuple[Array, Array]:
+        """Compute the same for the symmetric part of K, with all copies of repeated eigenvalues.
+
+        Lanczos's method finds one vector of several with the same eigenvalue, and others by rounding only.  So it is
+        used again without what it has found, until nothing new is as close to the shift.
+        """
+        A, B, start = self.bordered((self.K + self.K.T) / 2)
+        solve = splu(csc_array(A - shift * B)).solve
+        values, vectors = _nearest(_eigsh, A, B, solve, start, count, shift)
+        while values.size < self.size - 2:
+            others = _nearest(_eigsh, A, B, solve, start, 1, shift, vectors)
+            if abs(others[0][0] - shift) >= (1 - SAME) * np.sort(np.abs(values - shift))[count - 1]:
+                break
+            values, vectors = np.concatenate([values, others[0]]), np.hstack([vectors, others[1]])
+        nearest = np.argsort(np.abs(values - shift))[:count]
+        return values[nearest], vectors[:, nearest]
 
     def bordered(self, K: Any) -> tuple[Any, Any, Array]:
         """Return the constrained stiffness, a matrix of the same size that contains M, and a starting vector."""
@@ -146,6 +165,39 @@ class Pencil:
         A = block_array([[K, self.C.T], [self.C, coo_array((border, border))]], format="csc")
         B = block_diag([self.M, coo_array((border, border))], format="csc")
         return A, B, np.random.default_rng(0).standard_normal(A.shape[0])
+
+
+def _nearest(
+    solver: Any,
+    A: Any,
+    B: Any,
+    solve: Callable[[Array], Array],
+    start: Array,
+    count: int,
+    shift: float,
+    known: Array | None = None,
+) -> tuple[Array, Array]:
+    """Compute the eigenvalues of A v = w B v nearest to a shift, and vectors, beside known vectors (n, …).
+
+    The vectors have a B-norm of one.
+
+    Parameters
+    ----------
+    solve : callable
+        Solves with A - shift B.
+    """
+    none = np.zeros((A.shape[0], 0)) if known is None else known
+    pulled = (B @ none).T
+
+    def inverse(b: Array) -> Array:
+        x = solve(b)
+        return np.asarray(x - none @ (pulled @ x))
+
+    operator = LinearOperator(A.shape, matvec=inverse, dtype=np.float64)
+    options = {"M": B, "sigma": shift, "OPinv": operator, "v0": inverse(B @ start), "tol": CLOSE_ENOUGH}
+    room = min(max(2 * count + 1, LEAST_ROOM), A.shape[0] - 1)
+    values, vectors = solver(A, count, ncv=room, **options)
+    return values, vectors
 
 
 def skew(coupling: Array, values: Array, mass: Array, rounding: float | Array) -> bool:

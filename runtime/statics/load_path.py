@@ -21,6 +21,7 @@ from flexel.mechanics.arclength import Arcs, CurvePoint, corrected, follow, poin
 from flexel.model.state import State
 from flexel.statics.equilibrium import MAX_STEP, STALLED_TOLERANCE, TOLERANCE, Equations, Rest
 from flexel.statics.growth import growing_motions
+from flexel.statics.rest_check import unbalanced
 from flexel.statics.search import Search
 from flexel.statics.settling import descend, push, unstable_motions
 from flexel.system import CoreSystem
@@ -181,6 +182,26 @@ def _held(system: CoreSystem, hold: Sequence[str]) -> Index:
                 f"equilibrium: '{name}' cannot be held: it is a slip, or fixed, rigid, prescribed or held; drop it"
             )
     return np.array(found, dtype=np.intp)
+
+
+def balanced_start(system: CoreSystem, start: State | None) -> State:
+    """Return the start of a path: that of the user, or the equilibrium near the initial configuration.
+
+    Raises
+    ------
+    PositionError
+        If the user's is not in equilibrium; names the largest unbalanced force.
+    """
+    state = system.at_rest if start is None else start
+    problem = Rest(system, state)
+    force = unbalanced(problem, problem.equations(state.t, state.x, problem.multipliers(state), state.e))
+    if not force:
+        return state
+    if start is None:
+        return equilibrium(system, None, state).state
+    raise PositionError(
+        f"static_path: the start is not in equilibrium: {force}; give the state of system.equilibrium()"
+    )
 
 
 def static_path(system: CoreSystem, t_end: float, start: State) -> FoundPath:

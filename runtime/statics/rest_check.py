@@ -25,22 +25,28 @@ MOVING = (
 FREE_FREQUENCY = 1e-5
 
 
-def check_balance(owner: str, problem: Rest, q: Equations) -> None:
-    """Warn the caller of a public method about a state that is not in equilibrium, with its worst coordinate."""
+def unbalanced(problem: Rest, q: Equations) -> str:
+    """Describe the largest unbalanced force of a state that is not in equilibrium; empty if it is."""
     s, first = problem.structure, problem.first
     residual = np.abs(q.residual[: s.nf])
     worst = int(np.argmax(residual)) if s.nf else 0
     if not np.any(
         residual > UNBALANCED * q.balance.scale + ROUNDING * q.stiffness * problem.length + TINY_FORCE
     ):
-        return
+        return ""
     unit = force_unit(s.units[first + worst], slip=False)
-    warnings.warn(
-        f"{owner}: the state is not in equilibrium: {residual[worst]:.3g} {unit} on '{s.names[first + worst]}' is not "
-        "balanced, so the result does not describe the motion that follows; give the state of system.equilibrium()",
-        UnsteadyWarning,
-        stacklevel=outside(),
-    )
+    return f"{residual[worst]:.3g} {unit} on '{s.names[first + worst]}' is not balanced"
+
+
+def check_balance(owner: str, problem: Rest, q: Equations) -> None:
+    """Warn the caller of a public method about a state that is not in equilibrium, with its worst coordinate."""
+    if force := unbalanced(problem, q):
+        warnings.warn(
+            f"{owner}: the state is not in equilibrium: {force}, so the result does not describe the motion that "
+            "follows; give the state of system.equilibrium()",
+            UnsteadyWarning,
+            stacklevel=outside(),
+        )
 
 
 def check_rest(owner: str, problem: Rest, state: State, omega: Array) -> None:

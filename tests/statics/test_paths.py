@@ -123,3 +123,24 @@ def test_unstable_motions_are_counted_as_the_eigenvalues_have_them(jointed: bool
     assert np.count_nonzero(decided) > 0.9 * len(decided)
     np.testing.assert_array_equal(np.array(found.unstable)[decided], np.sum(omega < 0, axis=1)[decided])
     assert max(n or 0 for n in found.unstable) == 2
+
+
+def weighted_leaf() -> fx.System:
+    """A leaf spring with a weight of 0.1 N at its tip, and a force that lifts it."""
+    m = fx.Model(gravity=(0, -10.0))
+    ends = m.point("A", (0, 0), fixed=True), m.angle("R", fixed=True), m.point("B", (1, 0)), m.angle("S")
+    m.beam("leaf", *ends, EA=1e6, EIz=1.0)
+    m.point_mass("tip", "B", 0.01)
+    m.load("B.y", lambda t: 0.05 * t)
+    return m.build()
+
+
+def test_a_path_begins_in_equilibrium() -> None:
+    """The weight was taken on gradually, as the force grew: all states but the last were wrong, without a word."""
+    s = weighted_leaf()
+    path = s.static_path(t_end=1.0)
+    assert np.allclose(3 * path["B.y"], -0.1 + 0.05 * path.t, rtol=0, atol=1e-3 * 0.1)
+    with pytest.raises(
+        fx.PositionError, match=r"start is not in equilibrium: 0\.1 N on 'B\.y' is not balanced"
+    ):
+        s.static_path(s.at_rest, t_end=1.0)

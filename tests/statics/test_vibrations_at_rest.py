@@ -138,3 +138,62 @@ def test_a_free_ring_has_six_motions_without_stiffness_and_pairs(n: int, R: floa
     across = 2 * 3 / np.sqrt(4 + 1 / 0.3) * unit
     assert np.max(np.abs(found[:6])) < 1e-3 * plane
     assert np.allclose(found[6:], np.sort([plane, plane, across, across]), rtol=6 / n**2)
+
+
+def plate(n: int) -> fx.System:
+    """Masses on springs, joined by bars in a plane, above which each vibrates alone."""
+    m = fx.Model()
+    for i in range(n):
+        for j in range(n):
+            m.point_mass(f"m{i} {j}", m.point(f"P{i} {j}", (i, j, 0)), 1.0)
+            for axis, stiffness in zip("xyz", (50.0, 100.0, 150.0), strict=True):
+                m.spring(f"P{i} {j}.{axis}", stiffness)
+    for i in range(n):
+        for j in range(n):
+            for p, q in ((i + 1, j), (i, j + 1), (i + 1, j + 1)):
+                if max(p, q) < n:
+                    m.truss(f"t{i} {j} {p} {q}", f"P{i} {j}", f"P{p} {q}", stiffness=1e4)
+    return m.build()
+
+
+@pytest.mark.parametrize("n", [11, 12, 14])
+def test_repeated_frequencies_are_found_as_often_as_they_are_repeated(n: int) -> None:
+    """Of n² frequencies √150, with sparse matrices three to seven were found, and then higher ones."""
+    found = [mode.omega for mode in plate(n).vibrations(count=12)]
+    assert found[3:] == pytest.approx([np.sqrt(150)] * 9, rel=1e-9)
+
+
+def test_cantilevers_around_a_hub_vibrate_alike() -> None:
+    """36 of them, 1296 coordinates: "no convergence" after 10 s."""
+    m = fx.Model()
+    hub = m.point("O", (0, 0), fixed=True), m.angle("hub", fixed=True)
+    for b in range(36):
+        way, last = np.array([np.cos(b * np.pi / 18), np.sin(b * np.pi / 18)]), hub
+        for i in range(12):
+            end = m.point(f"P{b} {i}", way * (i + 1) / 12), m.angle(f"R{b} {i}")
+            m.beam(f"B{b} {i}", *last, *end, EA=1e6, EIz=1.0, mass_per_length=1.0)
+            last = end
+    found = [mode.omega for mode in m.build().vibrations(count=10)]
+    assert found == pytest.approx([3.5160153] * 10, rel=1e-5)
+
+
+@pytest.mark.parametrize("count", [1, 2])
+def test_the_unstable_motion_is_the_lowest(count: int) -> None:
+    """A column under twice Euler's load, ω² = -π⁴, with a mass on a spring beside it; that alone was found first."""
+    m, n = fx.Model(), 140
+    m.point("P0", (0, 0), fixed=True)
+    m.angle("R0")
+    for i in range(n):
+        ends = f"P{i}", f"R{i}", m.point(f"P{i + 1}", ((i + 1) / n, 0)), m.angle(f"R{i + 1}")
+        m.beam(f"B{i}", *ends, EA=1e4, EIz=1.0, mass_per_length=1.0)
+    m.fix(f"P{n}.y")
+    m.load(f"P{n}.x", -2 * np.pi**2)
+    m.point_mass("beside", m.point("Z", (0, 1)), 1.0)
+    m.fix("Z.y")
+    m.spring("Z.x", 3.0)
+    s = m.build()
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", fx.UnstableWarning)
+        rest = s.equilibrium()
+    found = [mode.omega for mode in s.vibrations(rest, count=count)]
+    assert found == pytest.approx([-9.8696, np.sqrt(3.0)][:count], rel=5e-3)
