@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from scipy.linalg import eig, eigh
 from scipy.sparse import block_array, block_diag, coo_array, csc_array
-from scipy.sparse.linalg import LinearOperator, eigs, eigsh, splu
+from scipy.sparse.linalg import ArpackNoConvergence, LinearOperator, eigs, eigsh, splu
 
 from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError
@@ -30,11 +30,29 @@ SKEW_TOLERANCE = 1e-7
 ROUNDING = (
     1e-14  # the same relative to the largest stiffness: rounding errors of the sums in which it cancels
 )
+FAR_BELOW = (
+    1e-6  # distance of the first shift below zero, over the largest stiffness: a free motion has w = 0
+)
 CLOSE_ENOUGH = 1e-11  # relative error of eigenvalues of large models; they are refined afterwards
 SAME = 1e-6  # difference of their distances from the shift at which eigenvalues may be copies of one
 LEAST_ROOM = 40  # vectors of Lanczos's method
 BESIDE = 0.1  # distance of the shift below zero and the lowest eigenvalue, over the largest that is wanted
 NEARER, NEAREST = 3, 1e-3  # how often the shift moves there, and by how much at most: a free motion has w = 0
+# Imaginary part of an eigenvalue, relative to its magnitude, from which it is flutter, which grows by more than the
+# damping of any structure takes, 0.1 % of critical.
+FLUTTER_SHARE = 2e-3
+
+
+def mass_matrix(problem: Rest) -> Any:
+    """Return the mass matrix (nf, nf) of the coordinates, sparse, at the last evaluation."""
+    problem.work.tangent(0.0, 0.0, 1.0, phi=False)
+    return problem.work.tables.T.pattern.matrix(problem.free)
+
+
+def lowest_squares(problem: Rest, q: Equations, M: Any, count: int) -> tuple[Array, Array]:
+    """Compute the squares of the lowest frequencies, ascending, and vectors (nf, …); complex where it flutters."""
+    heaviest = max(float(np.abs(M.diagonal()).max(initial=0.0)), 1e-300)
+    return Pencil.of(problem, q, M).lowest(count, -FAR_BELOW * q.stiffness / heaviest)
 
 
 @dataclass(frozen=True)
@@ -196,7 +214,13 @@ def _nearest(
     operator = LinearOperator(A.shape, matvec=inverse, dtype=np.float64)
     options = {"M": B, "sigma": shift, "OPinv": operator, "v0": inverse(B @ start), "tol": CLOSE_ENOUGH}
     room = min(max(2 * count + 1, LEAST_ROOM), A.shape[0] - 1)
-    values, vectors = solver(A, count, ncv=room, **options)
+    try:
+        values, vectors = solver(A, count, ncv=room, **options)
+    except ArpackNoConvergence as error:
+        raise DynamicsError(
+            f"{error.eigenvalues.size} of {count} eigenvalues of a large model were found: its stiffnesses differ too "
+            "much, or many of its motions are alike; ask for another number of modes, or use fewer elements"
+        ) from None
     return values, vectors
 
 

@@ -107,8 +107,6 @@ def _left(problem: Rest, state: State, mu: Array, q: Equations, onward: Array) -
     """
     for _ in range(MOST_LEFT):
         forces = push(problem, q, onward)
-        if forces is None:
-            return None
         before = state.x
         found = _follow(problem, LoadPath(problem, state, mu, (state.t, state.t), forces))
         state = found.states[-1]
@@ -119,8 +117,10 @@ def _left(problem: Rest, state: State, mu: Array, q: Equations, onward: Array) -
         descended = descend(problem, state.t, beside.x, problem.multipliers(beside), beside.e)
         if descended is None:
             return None
-        q, mu = Search(problem, state.t).found(descended[0].balance.x, descended[1], beside.e) or descended
-        state = problem.state(q.balance)
+        exact = Search(problem, state.t).found(descended[0].balance.x, descended[1], beside.e)
+        if exact is None:
+            return None
+        (q, mu), state = exact, problem.state(exact[0].balance)
         if not unstable_motions(problem, q):
             return state
         onward = state.x - before
@@ -156,9 +156,12 @@ def _balanced(problem: Rest, t: float, start: State) -> tuple[Equations, Array]:
         failure = error
     log.info("t = %g s: descends to where forces balance, because %s", t, failure)
     found = descend(problem, t, start.x, mu, start.e)
-    if found is None:
+    exact = (
+        None if found is None else Search(problem, t).found(found[0].balance.x, found[1], found[0].balance.e)
+    )
+    if exact is None:
         raise failure
-    return found
+    return exact
 
 
 def _again(problem: Rest, state: State) -> tuple[Equations, Array]:

@@ -20,8 +20,7 @@ POLISHING_STEPS = 3  # most further steps: they gain digits where stiffnesses di
 CONVERGES = 1e-3  # length of the next step, over that of one, that shows that the method converges there
 ROUNDING = 1e-14  # step, in natural scales, that is a rounding error
 LONG_STEP = 1e-10  # the same beyond which an equilibrium is not found yet, whatever its residual
-# Forces that are rounding errors, over the largest that their coordinates may cause.
-ROUNDED_FORCES = 10 * np.finfo(float).eps
+ROUNDED = 10 * np.finfo(float).eps  # of forces and deformations, relative
 MAX_NULL_SPACE_SIZE = 1500  # most unknowns for which a singular matrix has a least-squares solution
 # Largest share of a residual that may remain after a step that leaves out free motions.
 MAX_MISSED_SHARE = 0.5
@@ -90,15 +89,28 @@ class Search:
         return q, max(error, UNSETTLED) if error < STALLED_TOLERANCE and self._moves(q) else error
 
     def _moves(self, q: Equations) -> bool:
-        """Whether the next step is long, and its forces are more than rounding errors of the coordinates."""
+        """Whether the next step is long, and the work of its forces is more than that of rounding errors."""
         if not q.matrix.factors.regular:
             return False
-        step, scale = self._step(q), self.problem.x_scale
-        if self._neutral or not LONG_STEP < self.problem.extent(step):
+        step = self._step(q)
+        if self._neutral or self.problem.extent(step) <= LONG_STEP:
             return False
-        K, nf = abs(q.matrix.sparse.tocsr()[: self.nf, : self.nf]), self.nf
-        rounded = ROUNDED_FORCES * (K @ scale + q.balance.scale)
-        return bool(abs(step[:nf] @ q.residual[:nf]) > np.abs(step[:nf]) @ rounded)
+        return bool(abs(step[: self.nf] @ q.residual[: self.nf]) > self._noise(q, step))
+
+    def _noise(self, q: Equations, step: Array) -> float:
+        """Return the work of rounding errors along a step; the workspace holds the equations.
+
+        Deformations are as exact as coordinates are.  Their rounding errors cause stresses, which do no work along a
+        step in which the deformations do not change, such as the bending of a slender beam.
+        """
+        problem, work = self.problem, self.problem.work
+        change = np.zeros(problem.structure.n)
+        change[: self.nf] = step[: self.nf]
+        left, right = np.divmod(work.tables.law.codes, max(problem.first, 1))
+        errors = np.abs(work.S[: left.size]) * np.maximum(problem.scales[right], problem.length)
+        stresses = np.bincount(left, errors, minlength=problem.first)
+        others = q.balance.scale * float(np.abs(change).sum())
+        return ROUNDED * (float(stresses @ np.abs(work.jvp(change))) + others)
 
     def _move(self, point: Unknowns, q: Equations) -> Unknowns:
         step = self._step(q)

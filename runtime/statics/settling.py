@@ -18,6 +18,7 @@ from scipy.sparse.linalg import splu as untyped_splu
 from flexel.base.arrays import Array
 from flexel.base.null_space import null_space
 from flexel.mechanics.newton import newton
+from flexel.statics.eigenproblem import FAR_BELOW, Pencil
 from flexel.statics.equilibrium import MAX_STEP, STALLED_TOLERANCE, TOLERANCE, Equations, Rest
 
 splu: Any = untyped_splu
@@ -31,6 +32,8 @@ SYMMETRY_ROUNDING = 1e-12  # the same relative to its largest entry
 # rounding, 2e-16 times this, stays below the stiffness that counts as zero.
 MOST_GROWTH = 1e4
 SPRING_STIFFNESS = 100.0  # of springs on the conditions, relative to the largest entry of the stiffness
+MOST_WAYS = 4  # soft motions of a very large model, among which the softest is looked for
+RIGID_STIFFNESS = 1e6  # the same at which springs count as rigid, in very large models
 MAX_STEPS = 200
 # Stiffness, relative to that at the start of a descent, that indicates a singular element.
 SINGULAR_STIFFNESS = 1e9
@@ -66,7 +69,7 @@ def unstable_motions(problem: Rest, q: Equations) -> int | None:
     """Count the independent motions in which an equilibrium is unstable; None if this has no meaning.
 
     The count is the number of negative eigenvalues of the tangent [K D'; D 0], less one for each condition.  It has no
-    meaning if forces have no potential (follower forces, controllers) or wheels roll; very large models are not judged.
+    meaning if forces have no potential (follower forces, controllers) or wheels roll.
     """
     nf = problem.structure.nf
     scale = diags_array(problem.x_scale)
@@ -80,7 +83,7 @@ def unstable_motions(problem: Rest, q: Equations) -> int | None:
     if not np.array_equal(problem.force_rows, problem.hold_rows):
         return None  # wheels roll
     if q.matrix.pattern.size > MAX_SIZE:
-        return 0
+        return _negative_pivots(K, D, RIGID_STIFFNESS)
     here = tangent(problem, q)
     size, conditions = float(np.abs(here.K).max(initial=0.0)), len(here.D)
     if not size:
@@ -112,7 +115,7 @@ def _has_potential(K: Any) -> bool:
     return bool(np.all(np.abs(off.data) <= allowed))
 
 
-def _negative_pivots(K: csc_array, D: csc_array) -> int | None:
+def _negative_pivots(K: csc_array, D: csc_array, stiffness: float = SPRING_STIFFNESS) -> int | None:
     """Count the negative eigenvalues of a symmetric stiffness (nf, nf), with stiff springs on the conditions (nm, nf).
 
     Zero proves that the equilibrium is stable; other counts hold where there are no conditions (the springs are not
@@ -121,7 +124,7 @@ def _negative_pivots(K: csc_array, D: csc_array) -> int | None:
     """
     size = float(np.abs(K.data).max(initial=0.0))
     lengths = np.sqrt(np.asarray(D.multiply(D).sum(axis=1)).ravel())
-    D = diags_array(np.sqrt(SPRING_STIFFNESS * size) / np.maximum(lengths, 1e-300)) @ D
+    D = diags_array(np.sqrt(stiffness * size) / np.maximum(lengths, 1e-300)) @ D
     whole = csc_array((K + K.T) / 2 + diags_array(_neutral(K.diagonal(), size)) + D.T @ D)
     try:
         factors = splu(whole, "MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options={"SymmetricMode": True})
@@ -220,8 +223,8 @@ def _downhill(here: Tangent, r: Array, reach: float) -> Array:
     return np.asarray(-Z @ (V @ np.clip(pull / size, -reach, reach)))
 
 
-def push(problem: Rest, q: Equations, onward: Array) -> Array | None:
-    """Return forces (nf + nm,) along the motion in which an equilibrium is most unstable; None of very large models.
+def push(problem: Rest, q: Equations, onward: Array) -> Array:
+    """Return forces (nf + nm,) along the motion in which an equilibrium is most unstable.
 
     They move the model by about its size; see `_left` in load_path.py.
 
@@ -230,16 +233,15 @@ def push(problem: Rest, q: Equations, onward: Array) -> Array | None:
     onward : ndarray (n,)
         On the side of this displacement, if it has a part in that motion.
     """
-    nf = problem.structure.nf
-    if len(q.residual) > MAX_DESCENT_SIZE:
-        return None
-    here = tangent(problem, q)
-    Z, _ = null_space(here.D, nf)
-    w, V = eigh(Z.T @ here.K @ Z)
-    way = Z @ V[:, 0]
-    side = float(way @ (onward[:nf] / problem.x_scale))
+    nf, scale = problem.structure.nf, problem.x_scale
+    unit = diags_array(scale**-2.0)
+    below = -FAR_BELOW * q.stiffness * float(scale.max()) ** 2
+    w, V = Pencil.of(problem, q, unit).lowest(MOST_WAYS, below)
+    way = V[:, 0].real / scale
+    way /= np.linalg.norm(way)
+    side = float(way @ (onward[:nf] / scale))
     if abs(side) < NEUTRAL_TOLERANCE:
         side = float(way[np.argmax(np.abs(way))])
     forces = np.zeros(len(q.residual))
-    forces[:nf] = np.sign(side) * abs(w[0]) * way / problem.x_scale
+    forces[:nf] = np.sign(side) * abs(w[0].real) * way / scale
     return forces

@@ -20,7 +20,14 @@ from flexel.base.errors import DynamicsError, ModelError
 from flexel.base.null_space import null_space
 from flexel.base.shown import Listing, prints
 from flexel.model.state import State
-from flexel.statics.eigenproblem import MAX_DENSE_SIZE, SKEW_TOLERANCE, Pencil
+from flexel.statics.eigenproblem import (
+    FLUTTER_SHARE,
+    MAX_DENSE_SIZE,
+    SKEW_TOLERANCE,
+    Pencil,
+    lowest_squares,
+    mass_matrix,
+)
 from flexel.statics.equilibrium import Equations, Rest
 from flexel.statics.refining import parts
 from flexel.statics.rest_check import check_balance, check_rest
@@ -30,8 +37,6 @@ _eigsh: Any = eigsh
 _eig: Any = eig
 # Imaginary part of an eigenvalue, relative to its magnitude, that is not a rounding error.
 COUPLED_TOLERANCE = 1e-6
-# The same from which it is flutter, which grows by more than the damping of any structure takes, 0.1 % of critical.
-FLUTTER_SHARE = 2e-3
 
 
 @dataclass(frozen=True)
@@ -174,8 +179,7 @@ def vibrations(system: CoreSystem, state: State, count: int) -> Listing[Vibratio
     q = problem.equations(state.t, state.x, problem.multipliers(state), state.e)
     check_balance("vibrations", problem, q)
     count = whole(count, "vibrations", "count")
-    problem.work.tangent(0.0, 0.0, 1.0, phi=False)
-    M = problem.work.tables.T.pattern.matrix(problem.free)
+    M = mass_matrix(problem)
     if not np.any(M.diagonal()):
         return Listing()
     w2, V = _lowest(problem, q, M, count)
@@ -192,8 +196,7 @@ def _lowest(problem: Rest, q: Equations, M: Any, count: int) -> tuple[Array, Arr
     DynamicsError
         If forces without a potential make it flutter: eigenvalues are complex.
     """
-    shift = -1e-6 * q.stiffness / max(float(np.abs(M.diagonal()).max()), 1e-300)  # a free motion has w = 0
-    w2, V = Pencil.of(problem, q, M).lowest(count, shift)
+    w2, V = lowest_squares(problem, q, M, count)
     flutter = np.abs(w2.imag) > FLUTTER_SHARE * np.abs(w2)
     slight = np.abs(w2.imag) > COUPLED_TOLERANCE * np.abs(w2)
     if np.any(flutter):
