@@ -234,6 +234,19 @@ def values_at(function: TimeFunction, times: Array) -> Array:
         return _of_each(plain, times) if values is None else values
 
 
+def rates_at(function: TimeFunction, times: Array) -> Array:
+    """Return value, first and second rate of a function of time at some times [s] (nt, 3).
+
+    A triple of Python functions is called with all times at once if each takes them.
+    """
+    if isinstance(function, Triple):
+        with WITHIN, np.errstate(all="ignore"):
+            columns = [_of_all(own, times) for own in function.functions]
+        if all(column is not None and np.all(np.isfinite(column)) for column in columns):
+            return np.column_stack(columns)  # type: ignore[arg-type]
+    return np.array([function.rates(t) for t in times.tolist()]).reshape(-1, 3)
+
+
 def _of_all(plain: Callable[[Any], Any], times: Array) -> Array | None:
     """Call a user's function with many times at once; None if it takes one only."""
     try:

@@ -8,7 +8,7 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
-from flexel.base.time_functions import Foreign, TimeFunction, Triple
+from flexel.base.time_functions import Foreign, TimeFunction, Triple, rates_at
 from flexel.system import CoreSystem
 
 # Parts of a motion, evenly spread, on no round number.
@@ -46,7 +46,7 @@ def _check(name: str, function: TimeFunction, begin: float, duration: float) -> 
     """Check one function; differences that do not settle say nothing."""
     times, h = begin + duration * PLACES, STEP * duration
     there, fine, coarse = (
-        _values(function, times),
+        rates_at(function, times),
         _slopes(function, times, h / 2),
         _slopes(function, times, h),
     )
@@ -84,10 +84,9 @@ def misfits(system: CoreSystem, begin: float, end: float) -> list[str]:
 def _misfits(function: TimeFunction, begin: float, end: float) -> Iterator[str]:
     """Report the same of one function, for its value and its rate."""
     edges = np.linspace(begin, end, PANELS + 1)
-    there = _values(function, edges)
+    there, integrated = rates_at(function, edges), _integrals(function, edges[:-1], edges[1:])
     for i, rate in enumerate(RATES):
-        changes = np.diff(there[:, i])
-        integrals = _integrals(function, edges[:-1], edges[1:])[:, i + 1]
+        changes, integrals = np.diff(there[:, i]), integrated[:, i + 1]
         size = max(float(np.abs(changes).sum()), float(np.abs(integrals).sum()))
         allowed = MISFIT * size + ROUNDING * PANELS * float(np.abs(there[:, i]).max())
         off = np.abs(np.cumsum(changes - integrals))
@@ -114,7 +113,7 @@ def _refined(function: TimeFunction, edges: Array, i: int, allowed: float) -> Ar
     panel, start, end = np.arange(edges.size - 1), edges[:-1], edges[1:]
     for level in range(LEVELS_OF_HALVES):
         integrals = _integrals(function, start, end)[:, i + 1]
-        changes = _values(function, end)[:, i] - _values(function, start)[:, i]
+        changes = rates_at(function, end)[:, i] - rates_at(function, start)[:, i]
         split = np.abs(changes - integrals) > allowed * 0.5**level
         if level == LEVELS_OF_HALVES - 1 or np.count_nonzero(split) > MOST_HALVES:
             split[:] = False
@@ -130,15 +129,10 @@ def _integrals(function: TimeFunction, start: Array, end: Array) -> Array:
     """Integrate value, first and second rate (panels, 3) by Gauss's rule."""
     half = (end - start) / 2
     times = (start + half)[:, None] + half[:, None] * NODES
-    values = _values(function, times.ravel()).reshape(*times.shape, 3)
+    values = rates_at(function, times.ravel()).reshape(*times.shape, 3)
     return np.asarray(np.einsum("pgc,g,p->pc", values, WEIGHTS, half))
-
-
-def _values(function: TimeFunction, times: Array) -> Array:
-    """Return value, first and second rate at each time (nt, 3)."""
-    return np.array([function.rates(float(t)) for t in times]).reshape(-1, 3)
 
 
 def _slopes(function: TimeFunction, times: Array, h: float) -> Array:
     """Compute the central differences of the values."""
-    return (_values(function, times + h) - _values(function, times - h)) / (2 * h)
+    return (rates_at(function, times + h) - rates_at(function, times - h)) / (2 * h)

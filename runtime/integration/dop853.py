@@ -242,6 +242,7 @@ class Dop853(StepMethod):
         stored = course.until < last.t
         if course.dense_at_once or stored:
             dense.take(s, stored)
+            s.use_first_order()  # so that the stages of the next step can be taken, too
         s.accept()
         return Found(dense, z)
 
