@@ -13,9 +13,9 @@ def clipped(expr: Expr, symbols: set[Symbol], above: int = 0) -> Expr:
     return expr.replace(
         lambda part: (
             part.is_Pow
-            and part.exp.is_Rational
-            and not part.exp.is_Integer
+            and part.exp.is_number
             and part.exp > above
+            and part.exp != int(part.exp)
             and bool(part.base.free_symbols & symbols)
         ),
         lambda part: sp.Max(part.base, 0) ** part.exp,

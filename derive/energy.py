@@ -55,10 +55,9 @@ def _is_integral(stress: Expr, stored: Expr, e: Symbol) -> bool:
     width = max((2 * abs(place) for place in kinks(stress, e)), default=0.0)
     places = np.unique(np.outer((0.01, 1.0, max(width, 1.0)), np.linspace(-1, 1, PLACES)))
     with np.errstate(all="ignore"):
-        sigma, U, slope = (
-            np.broadcast_to(sp.lambdify(e, form, "numpy")(places), places.shape)
-            for form in (stress, stored, stored.diff(e))
-        )
+        values = [sp.lambdify(e, form, "numpy") for form in (stress, stored, stored.diff(e))]
+        # one by one: not every SymPy writes the largest of two for arrays
+        sigma, U, slope = np.array([[float(value(place)) for place in places] for value in values])
     known = np.isfinite(sigma)
     exact = np.isclose(slope, sigma, rtol=SLOPE, atol=SLOPE * np.abs(sigma[known]).max(initial=0.0))
     return bool(np.all(np.isfinite(U[known])) and np.mean(exact[known]) > MOSTLY)

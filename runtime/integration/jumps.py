@@ -44,5 +44,7 @@ def jumps(function: TimeFunction, times: Array, values: Array, least: float, wit
         first, left = np.where(early, first, middle), np.where(early, left, there)
         kept = np.abs(right - left) >= HALF * size  # where it is smooth, little changes in the end
         first, last, left, right, size = first[kept], last[kept], left[kept], right[kept], size[kept]
+    if not first.size:
+        return first
     again = values_at(function, first) == left  # noise gives another value each time
     return np.asarray((first + last)[again] / 2)
