@@ -111,28 +111,17 @@ def test_parallelograms_in_series_keep_one_angle_through_flat_positions(
     assert beyond(loops, found, options.get("rtol", DEFAULT)) == {}
 
 
-TWO_WARN = pytest.mark.xfail(
-    strict=True,
-    raises=AssertionError,
-    reason="eight parallelograms with rtol=1e-6: two of 77 speeds, 1.0 and 1.375 m/s, are warned of",
-)
-
-
 @pytest.mark.long
 @pytest.mark.parametrize(
     ("loops", "options"),
-    [
-        pytest.param(loops, options, marks=[TWO_WARN] * ((loops, options) == (8, {"rtol": 1e-6})))
-        for loops in (1, 2, 3, 5, 8, 15)
-        for options in TOLERANCES
-    ],
+    [(loops, options) for loops in (1, 2, 3, 5, 8, 15) for options in TOLERANCES],
 )
 def test_parallelograms_from_any_speed(loops: int, options: dict[str, float]) -> None:
     """77 speeds; the slowest swing over their upper dead points, which enlarges errors most."""
     found = errors(loops, [round(speed, 6) for speed in np.linspace(0.3, 2.2, 77).tolist()], options)
     wrong = beyond(loops, found, options.get("rtol", DEFAULT))
     if wrong:
-        pytest.fail(f"{wrong}")  # not an AssertionError, which is expected of two that are warned of
+        pytest.fail(f"{wrong}")
     assert list(found.values()).count(0.0) <= 1
 
 
