@@ -84,13 +84,13 @@ def simulate(
 
 
 def lift(model: HoistModel, duration: float, step: float = STEP, rate: int = SAMPLES_PER_SECOND) -> fx.Motion:
-    """Simulate the motion from the laid rope on, with a number of samples per second."""
+    """Simulate the motion from the laid rope on, with samples per second from the release of the load on."""
     return model.system.simulate(
-        duration,
+        duration + hoist_model.BEFORE,
         method="generalized-alpha",
         start=model.start,
         step=step,
-        samples=round(duration * rate) + 1,
+        times=np.arange(round(duration * rate) + 1) / rate,
     )
 
 
@@ -183,7 +183,7 @@ def frequency_with_rope(data: Hoist = HOIST) -> float:
 def measured_frequency(results: HoistResults) -> float:
     """Return the undamped frequency [rad/s] from the load's turning times in half a second; later bearings stick."""
     t, v = results.motion.t, results.motion.rate("block.y")
-    i = np.flatnonzero((v[:-1] * v[1:] < 0) & (t[1:] < 0.5))
+    i = np.flatnonzero((v[:-1] * v[1:] < 0) & (t[:-1] > 0) & (t[1:] < 0.5))
     turns = t[i] - v[i] * (t[i + 1] - t[i]) / (v[i + 1] - v[i])
     damped = np.pi / float(np.mean(np.diff(turns)))
     return damped / float(np.sqrt(1 - results.model.data.damping_ratio**2))

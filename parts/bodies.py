@@ -78,17 +78,7 @@ def inertia_tensor(value: Any, owner: str) -> Array:
     ModelError
         If it is neither positive definite nor zero, or a principal moment exceeds the sum of the other two.
     """
-    J = array(value, owner, "inertia")
-    if J.shape == (3,):
-        J = np.diag(J)
-    elif J.shape == (6,):
-        xx, yy, zz, xy, xz, yz = J
-        J = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
-    if J.shape != (3, 3) or np.max(np.abs(J - J.T)) > 1e-12 * np.max(np.abs(J)):
-        raise ModelError(
-            f"{owner}: inertia {J.tolist()} is not a tensor; give 3 principal moments, (xx, yy, zz, xy, xz, yz) "
-            "or a symmetric 3x3"
-        )
+    J = symmetric_tensor(value, owner)
     w = np.linalg.eigvalsh(J)
     if w[0] <= 0 and J.any():
         raise ModelError(
@@ -100,4 +90,25 @@ def inertia_tensor(value: Any, owner: str) -> Array:
             f"{owner}: principal moments {w} violate the triangle inequality (none may exceed the sum of the "
             "others); this inertia is physically impossible: check the numbers"
         )
+    return six_entries(J)
+
+
+def symmetric_tensor(value: Any, owner: str) -> Array:
+    """Return an inertia as a symmetric matrix (3, 3), from three principal values, six entries or a matrix."""
+    J = array(value, owner, "inertia")
+    if J.shape == (3,):
+        return np.diag(J)
+    if J.shape == (6,):
+        xx, yy, zz, xy, xz, yz = J
+        return np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+    if J.shape != (3, 3) or np.max(np.abs(J - J.T)) > 1e-12 * np.max(np.abs(J)):
+        raise ModelError(
+            f"{owner}: inertia {J.tolist()} is not a tensor; give 3 principal moments, (xx, yy, zz, xy, xz, yz) "
+            "or a symmetric 3x3"
+        )
+    return J
+
+
+def six_entries(J: Array) -> Array:
+    """Return (xx, yy, zz, xy, xz, yz) of a symmetric matrix (3, 3)."""
     return np.array([J[0, 0], J[1, 1], J[2, 2], J[0, 1], J[0, 2], J[1, 2]])

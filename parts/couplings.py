@@ -16,6 +16,7 @@ from flexel.base.quaternions import unit
 from flexel.model.lowering import Lowering
 from flexel.model.node import Node
 from flexel.model.part import Part, part
+from flexel.parts.bodies import six_entries, symmetric_tensor
 from flexel.parts.springs import Spring
 
 PLANAR_ENDS = ("planar_point", "planar_angle", "planar_point", "planar_angle")
@@ -232,18 +233,7 @@ class RotaryInertia(Part[None]):
             kind = "warping_inertia" if node.kind == "warping" else "planar_rotary_inertia"
             to.element(self.name, kind, [node], {"J": J})
             return
-        J = array(self.inertia, owner, "inertia")
-        if J.shape == (3,):
-            J = np.diag(J)
-        if J.shape == (6,):
-            xx, yy, zz, xy, xz, yz = J
-            J = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
-        if J.shape != (3, 3) or np.max(np.abs(J - J.T)) > 1e-12 * np.max(np.abs(J)):
-            raise ModelError(
-                f"{owner}: {J.tolist()} is not a tensor; give 3 principal moments, (xx, yy, zz, xy, xz, yz) "
-                "or a symmetric 3x3"
-            )
+        J = symmetric_tensor(self.inertia, owner)
         if np.linalg.eigvalsh(J)[0] < -1e-12 * np.max(np.abs(J)):
             raise ModelError(f"{owner}: a principal moment of {J.tolist()} is negative; check the signs")
-        six = np.array([J[0, 0], J[1, 1], J[2, 2], J[0, 1], J[0, 2], J[1, 2]])
-        to.element(self.name, "rotary_inertia", [node], {"J": six})
+        to.element(self.name, "rotary_inertia", [node], {"J": six_entries(J)})

@@ -106,7 +106,7 @@ class Pencil:
             shift = min(wanted, NEAREST * shift)
             values, vectors = self._symmetric(count, shift)
         if self.skew(values, vectors):
-            values, vectors = self._large(_eigs, self.K, count, shift)
+            values, vectors = self._coupled(count, shift)
         order = np.argsort(values.real)
         return values[order], vectors[: self.size, order]
 
@@ -154,11 +154,11 @@ class Pencil:
                 "fix it"
             ) from error
 
-    def _large(self, solver: Any, K: Any, count: int, shift: float) -> tuple[Array, Array]:
-        """Compute the eigenvalues nearest to a shift, and vectors (nf + nm, …), by Lanczos or Arnoldi."""
-        A, B, start = self.bordered(K)
+    def _coupled(self, count: int, shift: float) -> tuple[Array, Array]:
+        """Compute the eigenvalues nearest to a shift, and vectors (nf + nm, …), by Arnoldi's method."""
+        A, B, start = self.bordered(self.K)
         solve = splu(csc_array(A - shift * B)).solve
-        return _nearest(solver, A, B, solve, start, count, shift)
+        return _nearest(_eigs, A, B, solve, start, count, shift)
 
     def _symmetric(self, count: int, shift: float) -> tuple[Array, Array]:
         """Compute the same for the symmetric part of K, with all copies of repeated eigenvalues.

@@ -114,13 +114,10 @@ def _left(problem: Rest, state: State, mu: Array, q: Equations, onward: Array) -
         if not found.message and not unstable_motions(problem, q):
             return state
         beside = found.states[-1 if found.message else -2]
-        descended = descend(problem, state.t, beside.x, problem.multipliers(beside), beside.e)
+        descended = _descended(problem, state.t, beside.x, problem.multipliers(beside), beside.e)
         if descended is None:
             return None
-        exact = Search(problem, state.t).found(descended[0].balance.x, descended[1], beside.e)
-        if exact is None:
-            return None
-        (q, mu), state = exact, problem.state(exact[0].balance)
+        (q, mu), state = descended, problem.state(descended[0].balance)
         if not unstable_motions(problem, q):
             return state
         onward = state.x - before
@@ -155,13 +152,21 @@ def _balanced(problem: Rest, t: float, start: State) -> tuple[Equations, Array]:
     except DynamicsError as error:  # the stiffness is singular
         failure = error
     log.info("t = %g s: descends to where forces balance, because %s", t, failure)
-    found = descend(problem, t, start.x, mu, start.e)
-    exact = (
-        None if found is None else Search(problem, t).found(found[0].balance.x, found[1], found[0].balance.e)
-    )
-    if exact is None:
+    found = _descended(problem, t, start.x, mu, start.e)
+    if found is None:
         raise failure
-    return exact
+    return found
+
+
+def _descended(
+    problem: Rest, t: float, x: Array, mu: Array, unwrap_from: Array
+) -> tuple[Equations, Array] | None:
+    """Descend from a point to an equilibrium, and find it with all digits; None if none is reached."""
+    found = descend(problem, t, x, mu, unwrap_from)
+    if found is None:
+        return None
+    balance = found[0].balance
+    return Search(problem, t).found(balance.x, found[1], balance.e)
 
 
 def _again(problem: Rest, state: State) -> tuple[Equations, Array]:

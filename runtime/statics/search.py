@@ -39,6 +39,7 @@ class Search:
     def __init__(self, problem: Rest, t: float) -> None:
         self.problem, self.t, self.nf = problem, t, problem.structure.nf
         self._neutral: bool | None = None
+        self._solved: tuple[Equations, Array] | None = None  # the last equations and their step
 
     def found(self, x: Array, mu: Array, unwrap_from: Array) -> tuple[Equations, Array] | None:
         """Find the equilibrium and its multipliers; return None if the method does not converge.
@@ -122,6 +123,12 @@ class Search:
         return x, mu, q.balance.e
 
     def _step(self, q: Equations) -> Array:
+        """Return the step from a point, which is solved for once."""
+        if self._solved is None or self._solved[0] is not q:
+            self._solved = q, self._new_step(q)
+        return self._solved[1]
+
+    def _new_step(self, q: Equations) -> Array:
         if self._neutral is None:
             motion = q.matrix.free_motion() if len(q.residual) <= MAX_NULL_SPACE_SIZE else None
             self._neutral = motion is not None

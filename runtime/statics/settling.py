@@ -32,11 +32,10 @@ SYMMETRY_ROUNDING = 1e-12  # the same relative to its largest entry
 # rounding, 2e-16 times this, stays below the stiffness that counts as zero.
 MOST_GROWTH = 1e4
 SPRING_STIFFNESS = 100.0  # of springs on the conditions, relative to the largest entry of the stiffness
-MOST_WAYS = 4  # soft motions of a very large model, among which the softest is looked for
 RIGID_STIFFNESS = 1e6  # the same at which springs count as rigid, in very large models
-MAX_STEPS = 200
-# Stiffness, relative to that at the start of a descent, that indicates a singular element.
-SINGULAR_STIFFNESS = 1e9
+MOST_WAYS = 4  # soft motions of a very large model, among which the softest is looked for
+MAX_STEPS = 200  # of a descent
+SINGULAR_STIFFNESS = 1e9  # that indicates a singular element, relative to that at the start of a descent
 
 
 @dataclass(frozen=True)

@@ -5,6 +5,7 @@ from collections.abc import Sequence
 
 import numpy as np
 import pytest
+from columns import column, pinned
 
 import flexel as fx
 from flexel.base.errors import DynamicsError, PositionError, UnstableWarning
@@ -179,7 +180,7 @@ def test_the_most_slender_columns_buckle_to_the_side_of_their_imperfection(EA: f
             assert state["P8.x"] == pytest.approx(side * tip, rel=3e-3)
 
 
-def pinned(n: int, thinness: float, share: float, eccentricity: float) -> fx.System:
+def eccentric(n: int, thinness: float, share: float, eccentricity: float) -> fx.System:
     """A column of length and stiffness one between pins, under a share of Euler's load beside its axis."""
     m, thrust = fx.Model(), share * np.pi**2
     m.point("P0", (0, 0), fixed=True)
@@ -198,7 +199,7 @@ def pinned(n: int, thinness: float, share: float, eccentricity: float) -> fx.Sys
 @pytest.mark.parametrize(("share", "middle"), [(0.9, 0.011401), (0.99, 0.074356)])
 def test_a_thin_column_under_an_eccentric_load(share: float, middle: float, thinness: float) -> None:
     """The exact elastica, by shooting; thinner than 1e-4, the middle was up to 90 % off, and its moments too."""
-    state = pinned(40, thinness, share, 1e-3).equilibrium(stable=True)
+    state = eccentric(40, thinness, share, 1e-3).equilibrium(stable=True)
     assert state["P20.y"] == pytest.approx(middle, rel=1e-3)
     moment = state.section_forces("B0")[0].Mz
     assert abs(moment) == pytest.approx(share * np.pi**2 * 1e-3, rel=1e-5)
@@ -207,12 +208,7 @@ def test_a_thin_column_under_an_eccentric_load(share: float, middle: float, thin
 @pytest.mark.parametrize("n", [130, 140])
 def test_flutter_of_many_elements_is_not_stable(n: int) -> None:
     """Beck's column at three times its critical load; above 400 coordinates it passed for stable."""
-    m = fx.Model()
-    m.point("P0", (0, 0), fixed=True)
-    m.angle("R0", fixed=True)
-    for i in range(n):
-        ends = f"P{i}", f"R{i}", m.point(f"P{i + 1}", ((i + 1) / n, 0)), m.angle(f"R{i + 1}")
-        m.beam(f"B{i}", *ends, EA=1e6, EIz=1.0, mass_per_length=1.0)
+    m = column(n, 1e6, clamped=True)
     m.load(f"P{n}", (-60.0, 0.0), follower=f"R{n}")
     with pytest.raises(PositionError, match="no stable equilibrium found"):
         m.build().equilibrium(stable=True)
@@ -220,14 +216,7 @@ def test_flutter_of_many_elements_is_not_stable(n: int) -> None:
 
 def test_a_very_large_column_with_a_rigid_bar_beside_it_is_unstable() -> None:
     """1530 coordinates: it was not judged, and passed for stable under twice its buckling load."""
-    m, n = fx.Model(), 510
-    m.point("P0", (0, 0), fixed=True)
-    m.angle("R0")
-    for i in range(n):
-        ends = f"P{i}", f"R{i}", m.point(f"P{i + 1}", ((i + 1) / n, 0)), m.angle(f"R{i + 1}")
-        m.beam(f"B{i}", *ends, EA=1e4, EIz=1.0, mass_per_length=1.0)
-    m.fix(f"P{n}.y")
-    m.load(f"P{n}.x", -2 * np.pi**2)
+    m = pinned(510, 1e4, 2 * np.pi**2)
     m.truss("rigid", "P0", m.point("Z", (0, 1)), mass_per_length=1.0)
     m.spring("Z.x", 1.0)
     with pytest.warns(UnstableWarning):

@@ -4,6 +4,7 @@ import warnings
 
 import numpy as np
 import pytest
+from columns import pinned
 
 import flexel as fx
 from flexel.examples.bicycle import bicycle
@@ -180,14 +181,7 @@ def test_cantilevers_around_a_hub_vibrate_alike() -> None:
 @pytest.mark.parametrize("count", [1, 2])
 def test_the_unstable_motion_is_the_lowest(count: int) -> None:
     """A column under twice Euler's load, ω² = -π⁴, with a mass on a spring beside it; that alone was found first."""
-    m, n = fx.Model(), 140
-    m.point("P0", (0, 0), fixed=True)
-    m.angle("R0")
-    for i in range(n):
-        ends = f"P{i}", f"R{i}", m.point(f"P{i + 1}", ((i + 1) / n, 0)), m.angle(f"R{i + 1}")
-        m.beam(f"B{i}", *ends, EA=1e4, EIz=1.0, mass_per_length=1.0)
-    m.fix(f"P{n}.y")
-    m.load(f"P{n}.x", -2 * np.pi**2)
+    m = pinned(140, 1e4, 2 * np.pi**2)
     m.point_mass("beside", m.point("Z", (0, 1)), 1.0)
     m.fix("Z.y")
     m.spring("Z.x", 3.0)
