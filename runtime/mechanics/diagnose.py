@@ -25,7 +25,7 @@ from flexel.base.null_space import null_space
 from flexel.base.shown import quoted
 from flexel.engine.solvers import factorize
 from flexel.mechanics.kinematics import Kinematics
-from flexel.mechanics.preference import heaviness, preferences
+from flexel.mechanics.preference import earliness, heaviness, preferences
 from flexel.model.role_lists import Roles
 from flexel.model.structure import Structure, declared
 
@@ -98,7 +98,8 @@ def pick(kinematics: Kinematics, J: Array, space: Array, exclude: Index) -> Inde
         return np.zeros(0, dtype=np.intp)
     rows = np.setdiff1d(candidates(structure, kinematics.roles), exclude)
     heavy = heaviness(kinematics, rows)
-    S = (J[rows, : structure.nf] @ space) * (preferences(kinematics, rows) * heavy)[:, None]
+    weight = preferences(kinematics, rows) * heavy * earliness(rows.size)
+    S = (J[rows, : structure.nf] @ space) * weight[:, None]
     _, R, pivots = qr(S.T, mode="economic", pivoting=True)
     independent = np.abs(np.diag(R)) / heavy[pivots[: len(R)]]
     if independent.size < space.shape[1] or independent.min() < 1e-9 * independent.max():
@@ -261,7 +262,7 @@ def _left_free(kinematics: Kinematics, J: Any, rows: Index) -> Index:
     for block in parts:
         space, _ = null_space(block.matrix, block.columns.size)
         if space.shape[1]:
-            weight = 1.0 / kinematics.scales(first + block.columns)
+            weight = earliness(block.columns.size) / kinematics.scales(first + block.columns)
             weight[np.isin(first + block.columns, block.rows)] = 0.0
             pivots = qr((space * weight[:, None]).T, mode="economic", pivoting=True)[2]
             chosen.append(first + block.columns[pivots[: space.shape[1]]])

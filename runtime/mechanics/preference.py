@@ -12,6 +12,9 @@ SPREAD = (
     1e10  # ratio of the largest inertia to the smallest above which the heavier coordinates are preferred
 )
 POWER = 0.1  # exponent of the inertia ratio: a ratio of 1e20 makes a factor of 100
+# By this factor at most, the first of quantities that are as good as one another is preferred: rounding, which differs
+# from one processor to another, does not decide.  A thousand of them are told apart far beyond rounding.
+EARLIER = 1 + 1e-8
 
 
 def preferences(kinematics: Kinematics, rows: Index) -> Array:
@@ -31,6 +34,11 @@ def preferences(kinematics: Kinematics, rows: Index) -> Array:
     weight = 1.0 / kinematics.scales(rows)
     weight[(rows < structure.m) | (np.array(structure.units, dtype=object)[rows] == "rad")] *= RELATIVE
     return weight
+
+
+def earliness(count: int) -> Array:
+    """Return factors (count,) that decide among quantities which are as good as one another: the first is preferred."""
+    return np.linspace(EARLIER, 1.0, count)
 
 
 def heaviness(kinematics: Kinematics, rows: Index) -> Array:
