@@ -266,7 +266,7 @@ def _lift_rows(results: HoistResults, long: HoistResults) -> list[Quantity]:
     losses = "4/(1 + η + η² + η³), η = {:g}; over the load and the movable sheaves"
     slow = long.mean(long.motion.rate("block.y"), LONG.constant + 5, LONG.end)
     return [
-        Quantity("hoisting_factor", results.lifted / static_tension(data), hoisting_factor(data), 2e-4, "",
+        Quantity("hoisting_factor", results.lifted / static_tension(data), hoisting_factor(data), 1.5e-4, "",
                  losses.format(data.efficiency), kind="closed form"),
         Quantity("hoisting_factor_30_s", long.lifted / static_tension(LONG), hoisting_factor(LONG), 2e-3, "",
                  losses.format(LONG.efficiency), kind="closed form"),
