@@ -12,6 +12,7 @@ from flexel.base.arrays import Array, ComplexArray, StateSpace
 from flexel.base.blas import in_one_thread
 from flexel.base.errors import LinearizationError, ModelError
 from flexel.base.shown import counted, listed, prints
+from flexel.integration.branch import Choices
 from flexel.linear.course import Course
 from flexel.linear.floquet import FIRST_STEPS, MAX_STEPS, sorted_multipliers
 from flexel.linear.harmonics import Coefficients, PeriodicVibration
@@ -392,13 +393,14 @@ def _values(function: Callable[[float], float], times: Array, owner: str) -> Arr
 
 def _check_coordinates(system: CoreSystem, state: State) -> None:
     """Refuse coordinates that are nearly singular at a state, where others are not."""
-    if state.roles is system.roles:
-        return
-    here, theirs = Snapshot.of(state), system.kinematics_of(state.roles)
-    limit = lost(system.roles) * max(amplification(theirs, here), 1.0)
-    if amplification(system.kinematics, here) > limit:
+    here, own = Snapshot.of(state), system.kinematics
+    present, limit = amplification(own, here), lost(system.roles)
+    if present <= limit:
+        return  # the amplification of any choice is about one or more
+    theirs = Choices(system, own, True).worse(here, present, limit)
+    if theirs is not None:
         raise LinearizationError(
             f"along: the degrees of freedom {listed(system.dynamic)} are nearly singular at t = {state.t:g} s, and "
             f"the matrices need one choice for the whole motion; call "
-            f"system.use_coordinates([{theirs.names(state.roles.dynamic)}]), or take a part of the motion"
+            f"system.use_coordinates([{theirs.names(theirs.roles.dynamic)}]), or take a part of the motion"
         )

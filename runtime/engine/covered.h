@@ -22,7 +22,7 @@ typedef struct {
     double *low, *high, *quick; /* least and largest values and largest rates of free coordinates at the accepted points (nf) */
     double *sizes, *sizes_new; /* (FLEXEL_SIZES), up to the start and to the end of a step */
     size_t ny;
-    double *least_y, *most_y; /* of y since the last restart (ny); DOP853 alone */
+    double *least_y, *most_y; /* of y, in the present degrees of freedom (ny) */
     size_t groups;
     const int *group; /* of each internal state of a law (nz) */
     double *states, *states_new; /* largest value in each group (groups) */
@@ -60,6 +60,19 @@ static inline double flexel_at_most_one(double part)
     return part < 1 ? part : 1;
 }
 
+/* How far an entry of y has moved, with this value. */
+static inline double flexel_moved(const flexel_covered *c, size_t i, double y)
+{
+    return (y > c->most_y[i] ? y : c->most_y[i]) - (y < c->least_y[i] ? y : c->least_y[i]);
+}
+
+/* An entry of y has come to this value. */
+static inline void flexel_covered_value(flexel_covered *c, size_t i, double y)
+{
+    c->least_y[i] = y < c->least_y[i] ? y : c->least_y[i];
+    c->most_y[i] = y > c->most_y[i] ? y : c->most_y[i];
+}
+
 /* The shares for sizes of a motion, each with a stride between them, and a step of length h.
  *
  * What depends on the coordinates is no more exact than these, relative to their range. A rate that changes its coordinate by
@@ -75,8 +88,8 @@ static inline flexel_shares flexel_shares_of(const flexel_covered *c, const doub
     const double finest = c->resolution * (farthest > 1 ? farthest : 1), least = finest / h;
     const double known = part * range > finest ? part * range : finest, blur = range > 0 ? known / range : part;
     const double coordinates = part * flexel_at_most_one(range), rates = flexel_at_most_one(fastest) * blur;
-    return (flexel_shares){flexel_at_most_one(coordinates > finest ? coordinates : finest),
-                           flexel_at_most_one(rates > least ? rates : least),
+    return (flexel_shares){coordinates > finest ? coordinates : finest,
+                           rates > least ? rates : least,
                            blur,
                            c->resolution,
                            range / c->atol,

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from flexel.base.arrays import Array
+from flexel.base.arrays import Array, Index
 from flexel.engine.structs import Struct
 from flexel.engine.workspace import Workspace
 from flexel.generated._kernels import ffi, lib
@@ -14,6 +14,7 @@ from flexel.model.structure import Structure
 FULL = 50  # steps that get the full tolerances
 LEAST = 1 / 32  # of the tolerances that every step gets: less meets the rounding errors of users' functions
 MOVED = ("low", "high", "quick", "sizes", "sizes_new", "states", "states_new")  # by the motion itself
+OF_Y = ("least_y", "most_y")
 FINEST = 1e-12  # relative tolerance of a step that is not reduced
 
 
@@ -76,6 +77,7 @@ class Covered(Struct):
         self.arrays |= {name: self.new(name, lib.FLEXEL_SIZES) for name in ("sizes", "sizes_new")}
         self.arrays |= {name: self.new(name, c.groups) for name in ("states", "states_new")}
         self._begun = False
+        self._dofs: Index | None = None  # degrees of freedom of y
 
     def take(self, work: Workspace, x: Array, v: Array, z: Array) -> None:
         """Take an instant of the motion into it: coordinates, their rates, and internal states."""
@@ -93,16 +95,34 @@ class Covered(Struct):
         for name in MOVED:
             self.arrays[name][:] = before.arrays[name]
         self._begun = before._begun
+        if before._dofs is not None:
+            self._reserve(int(before.struct.ny))
+            for name in OF_Y:
+                self.arrays[name][:] = before.arrays[name]
+            self._dofs = before._dofs
 
-    def begin(self, y: Array) -> None:
-        """Take these values of y (ny,) as the first ones, in the present degrees of freedom."""
-        if self.struct.ny != y.size:
-            self.struct.ny = y.size
-            self.arrays |= {name: self.new(name, y.size) for name in ("least_y", "most_y")}
-        self.arrays["least_y"][:] = self.arrays["most_y"][:] = y
+    def begin(self, y: Array, dofs: Index) -> None:
+        """Continue with these values of y (ny,), in these degrees of freedom.
+
+        Of new ones nothing is known: they count as if they had come from zero.
+        """
+        self._reserve(y.size)
+        least, most = (self.arrays[name] for name in OF_Y)
+        if self._dofs is None:
+            least[:] = most[:] = y
+        elif np.array_equal(self._dofs, dofs):
+            least[:], most[:] = np.minimum(least, y), np.maximum(most, y)
+        else:
+            least[:], most[:] = np.minimum(y, 0.0), np.maximum(y, 0.0)
+        self._dofs = dofs
+
+    def _reserve(self, ny: int) -> None:
+        if self.struct.ny != ny:
+            self.struct.ny = ny
+            self.arrays |= {name: self.new(name, ny) for name in OF_Y}
 
     def ranges(self, y: Array) -> Array:
-        """Return how far y (ny,) has moved since the last restart, these values included."""
+        """Return how far y (ny,) has moved in the present degrees of freedom, these values included."""
         return ranges(self.arrays["least_y"], self.arrays["most_y"], y)
 
     def skip(self, steps: float) -> None:

@@ -78,7 +78,7 @@ static void keep(flexel_dop853_run *r, double amplification)
     at = flexel_put_numbers(at, K, o->ny);
     at = flexel_put_numbers(at, o->scale, o->ny);
     for (size_t i = 0; i < o->ny; i++)
-        *at++ = fmax(covered->most_y[i], o->y_new[i]) - fmin(covered->least_y[i], o->y_new[i]);
+        *at++ = flexel_moved(covered, i, o->y_new[i]);
     at = flexel_put_numbers(at, turns->w_new, 3 * turns->count);
     at = flexel_put_numbers(at, W, 3 * turns->count);
     flexel_put_numbers(at, turns->scale, 4 * turns->count);

@@ -11,9 +11,12 @@
 #include "matrix.h"
 #include "table.h"
 
+#include <float.h>
+
 enum { FLEXEL_MOST_ITERATIONS = 40 }; /* for a position */
 #define FLEXEL_STALLED 1e-10          /* its error that is accepted where it is no longer halved */
 #define FLEXEL_ROUNDING 2e-14         /* the same after a correction from an error below `kept` */
+#define FLEXEL_OF_COORDINATES (2 * DBL_EPSILON) /* rounding error of a coordinate, relative to it */
 #define FLEXEL_LONGEST_STEP 0.5       /* of Newton's method for it, in natural scales */
 
 /* cdef: begin */

@@ -140,6 +140,18 @@ FLEXEL_INLINE void allow_some(flexel_dop853 *o, size_t first, size_t end, const 
     }
 }
 
+/* Those of rates: relative to how far they have moved, if the motions are relative to themselves. */
+FLEXEL_INLINE void allow_rates(flexel_dop853 *o, size_t first, size_t end, const vec *share, const vec *rtol)
+{
+    const flexel_covered *m = o->covered;
+    for (size_t i = first; i < end; i++) {
+        const vec y = V(o->y_new)[i], old = flexel_size(V(o->y)[i]), new = flexel_size(y), size = flexel_most(old, new);
+        const vec high = flexel_most(V(m->most_y)[i], y), low = flexel_least(V(m->least_y)[i], y), moved = high - low;
+        const vec allowed = m->relative ? flexel_least(size, moved) : size;
+        V(o->scale)[i] = *share * o->atol[i] + *rtol * allowed + FLEXEL_NO_ERROR;
+    }
+}
+
 /* Those of angular velocities, instead of rates of Euler parameters which are half as large, and those of the Euler parameters
  * that are not in y. */
 FLEXEL_INLINE void allow_rotations(const flexel_lanes *l, const vec *coordinates, const vec *rates, const vec *rtol,
@@ -239,7 +251,7 @@ FLEXEL_INLINE void allow(const flexel_lanes *l, const vec *h, vec *error_own)
         rtol[k] = shares[k].part * o->rtol, finest[k] = shares[k].finest, briefest[k] = shares[k].briefest;
     }
     allow_some(o, 0, nq, &coordinates, &rtol, &most);
-    allow_some(o, nq, laws, &rates, &rtol, &any);
+    allow_rates(o, nq, laws, &rates, &rtol);
     for (size_t i = 0; i < s->nz; i++) {
         for (size_t k = 0; k < FLEXEL_BLOCK; k++)
             share[k] = flexel_share_of_states(&shares[k], V(m->states_new)[m->group[i]][k]);

@@ -35,6 +35,22 @@ static double residuals(const flexel_work *s, flexel_choice *c)
     return error;
 }
 
+/* Whether rounding explains the residuals: of the values themselves, and of the coordinates, which are as large as the model is
+ * far from its origin. */
+static int rounded(const flexel_work *s, flexel_choice *c)
+{
+    const flexel_matrix *P = &c->P;
+    double *explained = c->step;
+    for (size_t i = 0; i < s->nf; i++)
+        explained[i] = 1 / c->weight[i];
+    for (size_t k = 0; k < P->nentries; k++)
+        explained[P->rows[k]] += fabs(s->M[P->source[k]] * s->x[P->columns[k]]);
+    int all = 1;
+    for (size_t i = 0; i < s->nf; i++)
+        all &= fabs(c->residual[i]) <= FLEXEL_OF_COORDINATES * explained[i];
+    return all;
+}
+
 int flexel_factorize(flexel_work *s, flexel_choice *c)
 {
     c->factorizations++;
@@ -50,8 +66,8 @@ int flexel_locate(flexel_work *s, flexel_choice *c)
         flexel_position(s);
         c->positions++;
         const double error = c->error = residuals(s, c);
-        const int good = error < c->tolerance || (error < FLEXEL_STALLED && error > 0.5 * last) ||
-                         (last < c->kept && error < FLEXEL_ROUNDING);
+        const int good = error < c->tolerance || (last < c->kept && error < FLEXEL_ROUNDING) ||
+                         (error > 0.5 * last && (error < FLEXEL_STALLED || rounded(s, c)));
         if (!isfinite(error))
             return FLEXEL_UNREACHED;
         const int failed = !good && reusable && error < c->kept ? FLEXEL_DONE : flexel_factorize(s, c);

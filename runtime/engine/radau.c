@@ -20,7 +20,7 @@ static double norm(const flexel_radau *o, const double *error)
     return o->ny ? sqrt(sum / (double)o->ny) : 0;
 }
 
-/* Sizes of y + Z. */
+/* Sizes of y + Z: values, and how far rates have moved, if the motion is relative to itself. */
 static const double *sizes(flexel_radau *o, const double *Z)
 {
     double *variables = o->space, *size = o->space + o->ny;
@@ -28,6 +28,8 @@ static const double *sizes(flexel_radau *o, const double *Z)
         variables[i] = o->y[i] + Z[i];
         size[i] = fabs(variables[i]);
     }
+    for (size_t i = o->nd + o->nk; o->covered->relative && i < 2 * o->nd + o->nk; i++)
+        size[i] = fmin(size[i], flexel_moved(o->covered, i, variables[i]));
     flexel_turns_sizes(o->turns, variables, size);
     flexel_angles_sizes(o->angles, variables, size);
     return size;
@@ -37,8 +39,10 @@ static const double *sizes(flexel_radau *o, const double *Z)
 static void note_sizes(flexel_radau *o, const double *Z)
 {
     const double *size = sizes(o, Z);
-    for (size_t i = 0; i < o->ny; i++)
+    for (size_t i = 0; i < o->ny; i++) {
         o->largest[i] = fmax(o->largest[i], size[i]);
+        flexel_covered_value(o->covered, i, o->y[i] + Z[i]);
+    }
 }
 
 /* Allowed errors of some variables, for the largest sizes so far and others: shares of the absolute tolerances, and of sizes

@@ -55,7 +55,7 @@ typedef struct {
     double *known; /* where Euler parameters of both may be at a stage (4 for each) */
     /* the start of the step: time, values, rates, coordinates and their rates, deformations and their rates */
     double t, *y, *f, *x, *v, *e, *ed;
-    double *largest;   /* values so far (ny) */
+    double *largest;   /* sizes so far (ny) */
     int sign;          /* of the determinant of the position matrix */
     /* kept from step to step: the length of the next one; the length that the factors are for; of the last step the powers
      * (4, ny) of its dense output, its length and its error, zero if they are of no use */

@@ -142,6 +142,16 @@ static void allow_some(flexel_dop853 *o, size_t first, size_t end, double share,
     }
 }
 
+/* Those of rates: relative to how far they have moved, if the motion is relative to itself. A mass that vibrates on a vehicle
+ * is as exact as on the ground. */
+static void allow_rates(flexel_dop853 *o, size_t first, size_t end, double share, double rtol)
+{
+    for (size_t i = first; i < end; i++) {
+        const double size = fmax(fabs(o->y[i]), fabs(o->y_new[i])), moved = flexel_moved(o->covered, i, o->y_new[i]);
+        o->scale[i] = share * o->atol[i] + rtol * (o->covered->relative ? fmin(size, moved) : size) + FLEXEL_NO_ERROR;
+    }
+}
+
 /* Those of angular velocities, instead of rates of Euler parameters which are half as large, and those of the Euler parameters
  * that are not in y. */
 static void allow_rotations(const flexel_work *s, const flexel_choice *c, flexel_dop853 *o, const flexel_shares *shares)
@@ -230,7 +240,7 @@ static void allow(const flexel_work *s, const flexel_choice *c, flexel_dop853 *o
     const flexel_shares shares = flexel_shares_of(m, m->sizes_new, 1, h);
     const double rtol = shares.part * o->rtol;
     allow_some(o, 0, nq, shares.coordinates, rtol, shares.most);
-    allow_some(o, nq, laws, shares.rates, rtol, INFINITY);
+    allow_rates(o, nq, laws, shares.rates, rtol);
     for (size_t i = 0; i < s->nz; i++) {
         const double share = flexel_share_of_states(&shares, m->states_new[m->group[i]]);
         allow_some(o, laws + i, laws + i + 1, share, rtol, INFINITY);
@@ -327,10 +337,8 @@ void flexel_dop853_accept(flexel_work *s, flexel_dop853 *o)
 {
     flexel_account_accept(o->account, o->h);
     flexel_covered_accept(s, o->covered, o->x_new, o->V + FLEXEL_STAGES * s->nf, o->h);
-    for (size_t i = 0; i < o->ny; i++) {
-        o->covered->least_y[i] = fmin(o->covered->least_y[i], o->y_new[i]);
-        o->covered->most_y[i] = fmax(o->covered->most_y[i], o->y_new[i]);
-    }
+    for (size_t i = 0; i < o->ny; i++)
+        flexel_covered_value(o->covered, i, o->y_new[i]);
     memcpy(o->y, o->y_new, o->ny * sizeof(double));
     memcpy(o->x, o->x_new, s->n * sizeof(double));
     memcpy(o->e, o->e_new, s->nperiodic * sizeof(double));

@@ -35,7 +35,7 @@ MOST = 20_000  # evaluations that it may take
 CHEAPER = (
     2.0  # times that Radau must need fewer evaluations: a motion may become more lively than at its start
 )
-MUCH_CHEAPER = 10.0  # the same at a looser tolerance than that of the motion so far
+MUCH_CHEAPER = 20.0  # the same at a looser tolerance than that of the motion so far
 LONGER = 4.0  # times its budget, which a trial at the start may take while a transient dies out
 SOON = 200  # steps after which a motion is linearized if its start cannot be
 

@@ -26,7 +26,14 @@ from flexel.integration.dop853_stages import B
 from flexel.integration.dop853_steps import Steps
 from flexel.integration.flat import crossing_step, flat_position
 from flexel.integration.in_row import Looks, Place
-from flexel.integration.step_method import RESOLUTION, Found, InRow, StepMethod, Tolerances
+from flexel.integration.step_method import (
+    RESOLUTION,
+    Found,
+    InRow,
+    StepMethod,
+    Tolerances,
+    natural_scales_of_y,
+)
 from flexel.model.snapshot import Snapshot
 from flexel.model.structure import Structure
 
@@ -71,6 +78,7 @@ class Dop853(StepMethod):
     _rejected = _careful = _first_order = False
     _defect = np.inf  # of the rates, of a longer trial
     _found = np.inf  # the same of the last one, if that is why it was refused
+    _jump = (-np.inf, False)  # a time [s], and whether forces jump after it
     _row: Row | None = None
     _resumes = False  # whether the last row has left a trial to be judged
     _noise = 0.0  # largest defect of the rates that shorter steps did not reduce, with a margin
@@ -82,7 +90,7 @@ class Dop853(StepMethod):
 
     def restart(self) -> None:
         """Restart from the present position in the present degrees of freedom."""
-        course = self.course
+        course, self._jump = self.course, (-np.inf, False)
         y = course.choices.values(course.now, course.z)
         course.take()
         spare, self.spare = self.spare, None
@@ -161,8 +169,11 @@ class Dop853(StepMethod):
     def attempt(self) -> Attempted:
         """Try the step that is prepared."""
         course, t = self.course, self.course.t
-        if self.h < self._shortest and self.h < self._end - t:
+        short = self.h < self._shortest and self.h < self._end - t
+        if short and not self._jumps(t):
             return Attempted.SHORT
+        if instant := short and self.h < course.resolution:
+            self.h = course.resolution
         c = self.steps.struct
         if not self.tried:
             ahead = crossing_step(self.flat - t, min(self.h, course.tolerances.max_step))
@@ -170,6 +181,8 @@ class Dop853(StepMethod):
             self._try(t)
         self.tried = False
         self._error, self._found = self._largest_error() if not self._code else np.inf, self._defect
+        if instant and not self._code:
+            self._error = min(self._error, 0.5)  # that of an instant, which is known no better
         if self._error < 1:
             trusted = self._trusted()
             exact = trusted and self._exact(self._defect)
@@ -178,6 +191,8 @@ class Dop853(StepMethod):
             if trusted and not exact:
                 self._found = float(c.defect_v)
             self._error = np.inf
+        if instant:
+            return Attempted.SHORT
         course.counts["rejected"] += 1
         return self.refuse(False) if np.isfinite(self._error) else Attempted.UNUSABLE
 
@@ -186,6 +201,19 @@ class Dop853(StepMethod):
         before = self.steps.struct.evaluations
         self._code = self.steps.step(t, self._to - t, self._careful)
         self.course.counts["evaluations"] += self.steps.struct.evaluations - before
+
+    def _jumps(self, t: float) -> bool:
+        """Whether forces jump after a time [s]: in a step that is as short as it may be, rates hardly change."""
+        if self._jump[0] == t:
+            return self._jump[1]
+        self._to, self.tried = min(t + self._shortest, self._end), False
+        self._try(t)
+        c, kinematics = self.steps.struct, self.course.kinematics
+        rates = slice(kinematics.roles.nq, kinematics.roles.nq + kinematics.roles.nd)
+        change = np.abs(self.steps.K - self.steps.K[0])[:, rates] / natural_scales_of_y(kinematics)[rates]
+        slight = (self._to - t) * change.max(initial=0.0) <= PREDICTED * c.fastest  # false for NaN
+        self._jump = t, bool(slight and not self._code and not c.changed)
+        return self._jump[1]
 
     def _poor(self, t: float) -> bool:
         """Whether other degrees of freedom may explain a change of sign of the trial from a time [s].

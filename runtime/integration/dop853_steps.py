@@ -51,7 +51,7 @@ class Steps(Stages):
         """Begin at an instant; later results depend on nothing computed before, except what the motion has covered."""
         self._knots, self.covered, self.struct.covered = knots, covered, covered.struct
         self.place(now, y, self.struct.rtol)
-        covered.begin(y)
+        covered.begin(y, self.kinematics.roles.dofs)
 
     @property
     def first_order(self) -> bool:

@@ -7,7 +7,7 @@ much better, the motion continues in them from the same x and v.
 from __future__ import annotations
 
 import logging
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from functools import cached_property
 from math import ulp
@@ -74,7 +74,11 @@ class MinimalRun(DenseRun):
     touching : TouchingContacts
     loosest : float
         The largest of the tolerances that parts of the motion have had.
+    stuck : callable(MinimalRun) -> bool, optional
+        Changes the method where steps have become too short; whether it has.
     """
+
+    stuck: Callable[[MinimalRun], bool] | None = None
 
     def __init__(
         self,
@@ -121,7 +125,12 @@ class MinimalRun(DenseRun):
     @property
     def shortest(self) -> float:
         """Length [s] below which a step is too short."""
-        return max(self.least, 10 * ulp(self.t))
+        return max(self.least, self.resolution)
+
+    @property
+    def resolution(self) -> float:
+        """Length [s] of the shortest step that changes the time by what is asked for."""
+        return 10 * ulp(self.t)
 
     @property
     def least(self) -> float:
@@ -408,11 +417,15 @@ class MinimalRun(DenseRun):
         self.account.note(now.t)
 
     def carry_or_stop(self, error: FlexelError) -> str | None:
-        """Carry the motion across a flat position that is the cause of its short steps, or raise the error."""
-        steps = self.across(self.t, at_once=True)
-        if not steps:
-            raise self.gives_up(error) from None
-        return self.carry(steps)
+        """Go on where steps are too short: across a flat position that is the cause, or by another method.
+
+        Otherwise the error is raised.
+        """
+        if steps := self.across(self.t, at_once=True):
+            return self.carry(steps)
+        if self.stuck is not None and self.stuck(self):
+            return None
+        raise self.gives_up(error) from None
 
     def evaluated(self, evaluations: int) -> None:
         """Count evaluations."""

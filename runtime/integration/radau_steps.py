@@ -173,6 +173,7 @@ class Collocation(Struct):
         self.choice.reset(self._rtol)
         self.choice.struct.accept = 0.0
         self.struct.t = now.t
+        covered.begin(y, self.kinematics.roles.dofs)
         self.y[:], self.x[:], self.v[:], self.e[:], self.ed[:] = y, now.x, now.v, now.e, now.ed
         give(self.kinematics, knots.interval, self._given[3:], [now.t])
         self.kinematics.check(lib.flexel_radau_begin(*self._structs), now.t, self.choice)

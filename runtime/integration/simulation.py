@@ -117,8 +117,10 @@ class Preparation:
         if plan.method == methods.AUTO:
             made = automatic(system, plan.start, plan.left, plan.options, self._minimal)
         self.why, self.watch = made.why, watch_of(system, plan.method, made.method, plan.options)
-        self.run = made.run or self._of(made.method, made.options)
-        return self.run
+        self.run = run = made.run or self._of(made.method, made.options)
+        if self.watch is not None and isinstance(run, MinimalRun):
+            run.stuck = self.watch.stuck
+        return run
 
     @property
     def found(self) -> str:

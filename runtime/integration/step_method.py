@@ -153,6 +153,11 @@ class SteppedMotion(Protocol):
         ...
 
     @property
+    def resolution(self) -> float:
+        """Length [s] of the shortest step that changes the time by what is asked for."""
+        ...
+
+    @property
     def stop(self) -> float:
         """When the next step ends at the latest: at the end, a knot, or an instant of a sampled controller."""
         ...

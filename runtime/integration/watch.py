@@ -30,6 +30,7 @@ from flexel.system import CoreSystem
 
 LOOK = 1000  # steps after which a motion is looked at, and again after twice as many: short motions cost nothing more
 SHARE = 0.02  # of the evaluations so far, that each trial of Radau takes, but at least as many as `trial.STEPS` need
+APART = 1e-5  # share of the times, within which steps that are too short again show a singularity
 LONG = 4 * LOOK  # steps that are left of a motion that is called long
 
 
@@ -61,6 +62,7 @@ class Watch:
         self.found = ""
         self._next = LOOK
         self._half: Half | None = None
+        self._stuck = -np.inf  # when steps were too short [s]
 
     @property
     def next(self) -> int:
@@ -126,6 +128,21 @@ class Watch:
         if won is not None:
             self._say(f"{RADAU} from t = {run.t:.3g} s on, since {fewer(won.options)}")
             run.use(Radau, tolerances_of(self.system, won.options))
+
+    def stuck(self, run: MinimalRun) -> bool:
+        """Go on with the other method where the steps of one have become too short; whether it does.
+
+        Rounding in the accelerations of a stiff model may be the cause, which an implicit method filters, or forces
+        that jump, across which it finds no stages.
+        """
+        again = run.t - self._stuck <= APART * float(run.times[-1] - run.times[0])
+        if self._options is None or again or not few(self.system):
+            return False
+        self._stuck, before = run.t, run.name
+        other = Dop853 if before == RADAU else Radau
+        self._say(f"{other.name} from t = {run.t:.3g} s on, since the steps of {before} became too short")
+        run.use(other, tolerances_of(self.system, self._options.with_first(None)))
+        return True
 
     def _say(self, text: str) -> None:
         self.found = "; ".join(filter(None, (self.found, text)))

@@ -15,6 +15,7 @@ from flexel.mechanics.newton import shortened
 from flexel.model.lowering import Lowering
 
 STEP = 0.2  # largest change of a wanted value (in its natural scale) in one step of the initial assembly
+OF_COORDINATES = 2 * np.finfo(float).eps  # rounding error of a coordinate, relative to it; as in explicit.h
 LONGEST = 0.3  # largest change of a coordinate (in its natural scale) in one step of Newton's method
 
 
@@ -61,14 +62,15 @@ def nearest(
         unwrap_from = e
         residual = wrap(kinematics.values(e, x)[rows] - goal, period)
         error = float(np.max(np.abs(residual) / scale, initial=0.0))
-        if error < 1e-13 or (error < 1e-11 and error > 0.5 * best):
+        C = J[rows][:, :nf]
+        if error < 1e-13 or (error > 0.5 * best and (error < 1e-11 or rounded(C, x[:nf], scale, residual))):
             return x, unwrap_from
         stalled = stalled + 1 if error > 0.9 * best else 0
         best = min(best, error)
         if stalled > 12 or not np.isfinite(error):
             break
         # in natural scales, so that neither the path nor the result depends on the units
-        step = smallest_step(_scaled(J[rows][:, :nf], scale, size), residual / scale)
+        step = smallest_step(_scaled(C, scale, size), residual / scale)
         x[:nf] -= size * shortened(step, float(np.max(np.abs(step), initial=0.0)), LONGEST)
     worst = np.argsort(-np.abs(residual) / scale)[:4]
     names = ", ".join(f"'{structure.names[rows[i]]}' (off by {residual[i]:.3g})" for i in worst)
@@ -76,6 +78,11 @@ def nearest(
         f"the mechanism cannot be assembled at t = {t:g} s: {names} remain unsatisfied; the drawing and the given "
         "initial or prescribed values contradict the constraints: correct one of them"
     )
+
+
+def rounded(C: Any, x: Array, scale: Array, residual: Array) -> bool:
+    """Whether rounding explains the residuals: of values with these scales, and of coordinates, by derivatives C."""
+    return bool(np.all(np.abs(residual) <= OF_COORDINATES * (scale + abs(C) @ np.abs(x))))
 
 
 def _scaled(C: Any, rows: Array, columns: Array) -> Any:

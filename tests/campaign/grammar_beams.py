@@ -42,6 +42,8 @@ class Frame(Sketch):
         if kind in ("hinged", "turned"):
             self.add("fix", "O")
             self.hinge("hub", self.turn("G", fixed=True), "R0")
+        if kind == "hinged":  # beams may all be on hinges of their own
+            self.add("rotary_inertia", "hub inertia", "R0", 0.05 if self.planar else (0.05, 0.06, 0.07))
         if kind == "turned":
             steady = fx.Polynomial((0.0, self.draw(number(-4, 4)), self.draw(number(-3, 3))))
             self.add("prescribe", "hub.angle", self.draw(st.sampled_from((steady, fx.Harmonic(0.5, 3.0)))))

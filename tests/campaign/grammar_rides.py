@@ -70,8 +70,14 @@ def _changed(ride: Ride, change: Change, trait: str) -> Ride:
         case = changed(ride.case, change)
     except Inapplicable:
         return replace(ride, traits=(*ride.traits, f"no {trait}"))
-    speeds = {name: speed * (change.length if "." in name else 1.0) for name, speed in case.speeds.items()}
-    return replace(ride, case=replace(case, speeds=speeds), traits=(*ride.traits, trait))
+    slower = min(1.0, change.length)  # rates and offsets are given before it is known which are lengths
+    case = replace(
+        case,
+        speeds={name: speed * (change.length if "." in name else 1.0) for name, speed in case.speeds.items()},
+        rates=tuple(slower * rate for rate in case.rates),
+        offsets=tuple(slower * offset for offset in case.offsets),
+    )
+    return replace(ride, case=case, traits=(*ride.traits, trait))
 
 
 def _beside(draw: Draw, ride: Ride) -> tuple[str, tuple[float, ...], float]:
@@ -163,9 +169,8 @@ def stop(draw: Draw, ride: Ride) -> Ride:
 
 
 def _push(ride: Ride, trait: str, function: Any) -> Ride:
-    """A force on a point along x that is a function of time."""
-    point, place = ride.hook
-    return ride.having(trait, declared("load", point, (function, *(0.0,) * (len(place) - 1))))
+    """A force along a coordinate that is a function of time."""
+    return ride.having(trait, declared("load", ride.driven[0], function))
 
 
 def kinked(draw: Draw, ride: Ride) -> Ride:
@@ -192,19 +197,19 @@ def pulse(draw: Draw, ride: Ride) -> Ride:
 
 
 def sampled_controller(draw: Draw, ride: Ride) -> Ride:
-    """A sampled controller that pulls a point back."""
-    name = f"{ride.hook[0]}.x"
+    """A sampled controller that pulls a coordinate back."""
+    name, value = ride.driven
     k, c = draw(number(5, 100, 1)) * ride.mass, draw(number(0, 5)) * ride.mass
     period = float(f"{ride.case.duration / draw(st.sampled_from((7, 40, 200))):.3g}")
     delay = draw(st.sampled_from((0.0, 0.0, 0.5))) * period
     given = {"inputs": [name, f"{name}'"], "outputs": [name], "period": period, "delay": delay}
-    target = {"reference": {name: ride.hook[1][0]}}
+    target = {"reference": {name: value}}
     return ride.having("sampled controller", declared("controller", [[k, c]], **given, **target))
 
 
 def event(draw: Draw, ride: Ride) -> Ride:
     """An event where a coordinate passes the middle of its range."""
-    return replace(ride, watched=f"{ride.hook[0]}.x", traits=(*ride.traits, "event"))
+    return replace(ride, watched=ride.driven[0], traits=(*ride.traits, "event"))
 
 
 def _without(part: Part[Any], *names: str) -> Part[Any]:

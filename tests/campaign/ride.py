@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import flexel as fx
-from campaign.case import Case, drawn_nodes
+from campaign.case import Case, Node, drawn_nodes
 from flexel.model.part import Part
 
 
@@ -73,11 +73,24 @@ class Ride:
     @property
     def hook(self) -> tuple[str, tuple[float, ...]]:
         """The last point that nothing holds, with its place: something may be hung on it."""
-        nodes = [
-            node
-            for node in drawn_nodes(self.case).values()
-            if node.kind == "point" and "contact" not in node.name
-        ]
+        nodes = self._nodes("point")
         free = [node for node in nodes if not node.fixed.any()]
-        node = (free or nodes)[-1]
+        moving = [node for node in nodes if not node.fixed.all()]
+        node = (free or moving or nodes)[-1]
         return node.name, tuple(node.drawn.tolist())
+
+    @property
+    def driven(self) -> tuple[str, float]:
+        """A coordinate that may move, of the hook if that moves, with its value as drawn: something may push it."""
+        hook = self.hook[0]
+        hooks = [node for node in self._nodes("point") if node.name == hook]
+        for node in (*hooks, *reversed(self._nodes("angle"))):
+            for name, fixed, value in zip(node.names, node.fixed, node.drawn, strict=True):
+                if not fixed:
+                    return name, float(value)
+        raise ValueError(f"nothing moves in {self.case.family}")
+
+    def _nodes(self, kind: str) -> list[Node]:
+        """The nodes of one kind, without those of contacts."""
+        nodes = drawn_nodes(self.case).values()
+        return [node for node in nodes if node.kind == kind and "contact" not in node.name]

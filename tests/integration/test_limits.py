@@ -1,5 +1,7 @@
 """Motions near a limit of their model say so: wheels that would lift, ropes at their ends, singular positions."""
 
+import re
+import warnings
 from types import SimpleNamespace
 from typing import Any, cast
 
@@ -166,9 +168,15 @@ def test_a_position_that_is_nearly_singular_is_named() -> None:
         if not near:
             assert system.simulate(0.7, **options).warnings == ()
             continue
-        with pytest.warns(fx.AuditWarning, match=r"the position is nearly singular at t = 0\.5\d* s: coord"):
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", fx.AuditWarning)  # energy may be lost there, too
             motion = system.simulate(0.7, **options)
-        change = float(motion.warnings[0].split("change ")[1].split(" times")[0])
+        told = "\n".join(motion.warnings)
+        found = re.search(
+            r"the position is nearly singular at t = 0\.5\d* s: coordinates change (\S+) times", told
+        )
+        assert found is not None
+        change = float(found[1])
         assert 1e4 < change < 1e-10**-0.5 * 10
     exact = parallel([1.0]).system()
     start = exact.state_at(rates={"A0.x": 2.0})

@@ -9,6 +9,7 @@ import pytest
 
 import flexel as fx
 from flexel.integration import watch
+from flexel.integration.attempts import Attempted
 from flexel.integration.dop853 import Dop853
 from flexel.integration.minimal import MinimalRun
 from flexel.integration.radau import Radau
@@ -163,3 +164,30 @@ def test_variants_are_warned_of_once(monkeypatch: pytest.MonkeyPatch) -> None:
             0.5, initial={"ball.x'": [0.5, 1.0]}, outputs=["ball.x"], method="DOP853", threads=1
         )
     assert len(said) == 1
+
+
+def too_short(kind: type[StepMethod], after: float, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let the steps of a method become too short at a time [s]."""
+    attempt = kind.attempt
+
+    def stopped(method: StepMethod) -> Attempted:
+        return Attempted.SHORT if method.course.t >= after else attempt(method)
+
+    monkeypatch.setattr(kind, "attempt", stopped)
+    monkeypatch.setattr(kind, "rows", False)
+
+
+def test_it_goes_on_by_the_other_method_where_steps_become_too_short(monkeypatch: pytest.MonkeyPatch) -> None:
+    system = pressed(1e4, 10.0)
+    exact = system.simulate(2.0, samples=41)
+    too_short(Dop853, 0.7, monkeypatch)
+    motion = system.simulate(2.0, samples=41)
+    assert re.search(
+        "Radau from t = 0[.]7[0-9]* s on, since the steps of DOP853 became too short", motion.message
+    )
+    np.testing.assert_allclose(motion["A.x"], exact["A.x"], atol=1e-8)
+    with pytest.raises(fx.DynamicsError, match="the steps have become too short at t = 0.7"):
+        system.simulate(2.0, samples=41, method="DOP853")
+    too_short(Radau, 0.7, monkeypatch)
+    with pytest.raises(fx.DynamicsError, match="too short"):
+        system.simulate(2.0, samples=41)
