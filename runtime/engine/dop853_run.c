@@ -141,8 +141,6 @@ static int attempt(flexel_dop853_run *r)
             return FLEXEL_ROW_TRIED;
         r->h = (r->to - r->t) * flexel_shorter(&r->rules.control, r->rules.control.safety, error);
         r->tries = 1;
-        if (r->first_order)
-            flexel_matrix_reset(&r->row.choice->P);
         return GOES_ON;
     }
     const double amplification = flexel_amplification(r->row.work, r->row.choice);
@@ -159,10 +157,8 @@ int flexel_dop853_steps(flexel_dop853_run *r)
 {
     while (r->row.waits || (r->used < r->slots && flexel_row_goes_on(&r->row, r->t))) {
         int ended = GOES_ON;
-        if (!r->row.waits) {
+        if (!r->row.waits)
             r->first = r->h, r->tries = 0;
-            r->first_order = r->row.choice->P.lu == r->row.choice->P.first;
-        }
         while (ended == GOES_ON)
             ended = attempt(r);
         if (ended != FLEXEL_ROW_ENDED)

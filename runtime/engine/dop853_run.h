@@ -30,7 +30,6 @@ typedef struct {
     size_t tries, refused;
     size_t cost;         /* evaluations of the last trial */
     int code;            /* what failed in it, or zero */
-    int first_order;     /* whether the position matrix is factorized in its first order of pivots at the start of the step */
     size_t slots, used, wide; /* stages are kept for up to `slots` of the steps, with `wide` numbers each */
     double *stages;
 } flexel_dop853_run;

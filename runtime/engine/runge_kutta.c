@@ -290,6 +290,7 @@ int flexel_dop853_again(flexel_work *s, flexel_choice *c, flexel_dop853 *o, doub
 {
     o->changed = 0;
     c->predict = 0; /* P will not belong to the last right-hand side */
+    flexel_matrix_reset(&c->P); /* a step depends on its start alone, not on the order of pivots that others have left */
     memcpy(s->x + s->nf, o->x + s->nf, (s->n - s->nf) * sizeof(double));
     for (size_t stage = 1; stage <= FLEXEL_STAGES; stage++) {
         const int last = stage == FLEXEL_STAGES;

@@ -298,10 +298,10 @@ class Interpolant(DenseOutput):
     def take(self, live: Steps, stored: bool) -> None:
         """Take the stages of a step that was just found, if they will be the same when they are found anew.
 
-        They are not where pivots have changed, or rates at the start were those of other degrees of freedom: where
-        states within the step are stored, they are then found anew at once.
+        They are not where rates at the start were those of other degrees of freedom: where states within the step are
+        stored, they are then found anew at once.
         """
-        if live.first_order and np.array_equal(live.V[0], self.first.v[: live.V.shape[1]]):
+        if np.array_equal(live.V[0], self.first.v[: live.V.shape[1]]):
             self.inside.take(self, live)
         elif stored:
             self.inside.again(self, self.h, live.given_stages)

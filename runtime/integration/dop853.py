@@ -75,7 +75,7 @@ class Dop853(StepMethod):
     _to = 0.0  # when the last trial ends
     _code = 0  # what failed in it, or zero
     _error = np.inf  # its error over what is allowed
-    _rejected = _careful = _first_order = False
+    _rejected = _careful = False
     _defect = np.inf  # of the rates, of a longer trial
     _found = np.inf  # the same of the last one, if that is why it was refused
     _jump = (-np.inf, False)  # a time [s], and whether forces jump after it
@@ -159,12 +159,9 @@ class Dop853(StepMethod):
         """Prepare a step that ends at a time [s] at the latest."""
         self._end, self._wished, self._shortest = end, self.h, shortest
         self._rejected, self._careful, self._defect = False, False, np.inf
-        self._first_order = self.steps.first_order
         if self._resumes and self._row is not None:
             r, self._resumes = self._row.struct, False
-            self._wished, self._rejected, self._first_order = float(r.first), r.tries > 0, bool(r.first_order)
-            if self._first_order and not self.tried:
-                self.steps.use_first_order()
+            self._wished, self._rejected = float(r.first), r.tries > 0
 
     def attempt(self) -> Attempted:
         """Try the step that is prepared."""
@@ -237,8 +234,6 @@ class Dop853(StepMethod):
         """Prepare a shorter step, or first one of the same length that shows why it was of no use."""
         h = self._to - self.course.t
         longer, self._defect = self._defect, self._found
-        if self._first_order:  # a failed trial must not leave another order of pivots behind
-            self.steps.use_first_order()
         if changed:
             self.flat = -np.inf
             self.restart()
@@ -270,7 +265,6 @@ class Dop853(StepMethod):
         stored = course.until < last.t
         if course.dense_at_once or stored:
             dense.take(s, stored)
-            s.use_first_order()  # so that the stages of the next step can be taken, too
         s.accept()
         return Found(dense, z)
 

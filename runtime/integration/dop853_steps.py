@@ -53,16 +53,6 @@ class Steps(Stages):
         self.place(now, y, self.struct.rtol)
         covered.begin(y, self.kinematics.roles.dofs)
 
-    @property
-    def first_order(self) -> bool:
-        """Whether the position matrix is factorized in the order of pivots that was found first."""
-        P = self.choice.struct.P
-        return bool(P.lu == P.first)
-
-    def use_first_order(self) -> None:
-        """Return to that order."""
-        lib.flexel_matrix_reset(self.choice.P)
-
     def begin(self, t: float) -> None:
         """Compute the rates at the start."""
         give(self.kinematics, self._knots.interval, self._given[:1], [t])

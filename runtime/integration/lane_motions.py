@@ -53,7 +53,6 @@ def suits(run: Run | None) -> TypeGuard[MinimalRun]:
         or not kinematics.loads.constant
         or kinematics.lists.saddle
         or roles.nq - roles.nd > lib.FLEXEL_MOST_KINEMATIC
-        or not run.method.steps.first_order
         or run.choices.changes
         or not run.method.usual
         or run.now.v[n:].any()

@@ -74,11 +74,11 @@ class MinimalRun(DenseRun):
     touching : TouchingContacts
     loosest : float
         The largest of the tolerances that parts of the motion have had.
-    stuck : callable(MinimalRun) -> bool, optional
-        Changes the method where steps have become too short; whether it has.
+    stuck : callable(MinimalRun, FlexelError) -> FlexelError or None, optional
+        Changes the method where steps have become too short, of which an error tells; returns an error if it does not.
     """
 
-    stuck: Callable[[MinimalRun], bool] | None = None
+    stuck: Callable[[MinimalRun, FlexelError], FlexelError | None] | None = None
 
     def __init__(
         self,
@@ -281,8 +281,10 @@ class MinimalRun(DenseRun):
 
     def pass_step(self, dense: DenseOutput, z: Array) -> str | None:
         """Store an accepted step, and the states at the times within it; returns a message as `advance` does."""
-        first, last = dense.first, dense.last
-        return self.accept(Step(first.t, last.t, self.kinematics, self._shown, first, last, dense), z)
+        first, last, shown = dense.first, dense.last, self._shown
+        if self.choices.changes and shown is self.choices.own:
+            shown = self.shown(last)
+        return self.accept(Step(first.t, last.t, self.kinematics, shown, first, last, dense), z)
 
     def go_on_alone(self, now: Snapshot, z: Array, amplification: float) -> None:
         """Continue from the start of a step, to which the method has come."""
@@ -352,12 +354,12 @@ class MinimalRun(DenseRun):
             "system.use_coordinates"
         )
 
-    def shown(self) -> Kinematics:
-        """Return the degrees of freedom in which states are given: the user's, where these are usable."""
+    def shown(self, at: Snapshot | None = None) -> Kinematics:
+        """Return the degrees of freedom in which states are given, now or at an instant: the user's, where usable."""
         choices = self.choices
         if choices.kinematics is choices.own:
             return choices.own
-        own = amplification(choices.own, self.now)
+        own = amplification(choices.own, self.now if at is None else at)
         return (
             choices.own
             if own <= lost(choices.own.roles) * max(self.amplification, 1.0)
@@ -423,9 +425,11 @@ class MinimalRun(DenseRun):
         """
         if steps := self.across(self.t, at_once=True):
             return self.carry(steps)
-        if self.stuck is not None and self.stuck(self):
-            return None
-        raise self.gives_up(error) from None
+        error = self.gives_up(error)
+        left = error if self.stuck is None else self.stuck(self, error)
+        if left is not None:
+            raise left from None
+        return None
 
     def evaluated(self, evaluations: int) -> None:
         """Count evaluations."""

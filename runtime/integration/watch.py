@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from flexel.base.errors import StiffWarning
+from flexel.base.errors import FlexelError, StiffWarning
 from flexel.integration.choose import CHEAPER, cheaper, fewer, later_ways, linear_algebra
 from flexel.integration.dop853 import Dop853
 from flexel.integration.driver import Run
@@ -62,7 +62,7 @@ class Watch:
         self.found = ""
         self._next = LOOK
         self._half: Half | None = None
-        self._stuck = -np.inf  # when steps were too short [s]
+        self._stuck: tuple[float, FlexelError] | None = None  # when steps were too short last [s]
 
     @property
     def next(self) -> int:
@@ -129,20 +129,22 @@ class Watch:
             self._say(f"{RADAU} from t = {run.t:.3g} s on, since {fewer(won.options)}")
             run.use(Radau, tolerances_of(self.system, won.options))
 
-    def stuck(self, run: MinimalRun) -> bool:
-        """Go on with the other method where the steps of one have become too short; whether it does.
+    def stuck(self, run: MinimalRun, error: FlexelError) -> FlexelError | None:
+        """Go on with the other method where the steps of one have become too short; return the error if it does not.
 
         Rounding in the accelerations of a stiff model may be the cause, which an implicit method filters, or forces
-        that jump, across which it finds no stages.
+        that jump, across which it finds no stages.  Where neither method goes on, the error of the first one is
+        returned.
         """
-        again = run.t - self._stuck <= APART * float(run.times[-1] - run.times[0])
-        if self._options is None or again or not few(self.system):
-            return False
-        self._stuck, before = run.t, run.name
+        if self._stuck is not None and run.t - self._stuck[0] <= APART * float(run.times[-1] - run.times[0]):
+            return self._stuck[1]
+        if self._options is None or not few(self.system):
+            return error
+        self._stuck, before = (run.t, error), run.name
         other = Dop853 if before == RADAU else Radau
         self._say(f"{other.name} from t = {run.t:.3g} s on, since the steps of {before} became too short")
         run.use(other, tolerances_of(self.system, self._options.with_first(None)))
-        return True
+        return None
 
     def _say(self, text: str) -> None:
         self.found = "; ".join(filter(None, (self.found, text)))

@@ -64,6 +64,8 @@ def test_linkages_keep_their_branch_through_change_points(
 
 @pytest.mark.parametrize("loops", [pytest.param(n, marks=[] if n == 4 else ALL) for n in range(1, 16)])
 @pytest.mark.parametrize("options", [{}, {"rtol": 1e-6}, {"rtol": 1e-12}])
+# a step may end close to a flat position
+@pytest.mark.filterwarnings("ignore:.*nearly singular:flexel.base.errors.AuditWarning")
 def test_parallelograms_of_any_number_and_pitch(loops: int, options: dict[str, float]) -> None:
     linkage = parallel([1 + 0.3 * np.cos(3 * i) for i in range(loops)])
     system, times = linkage.system(), np.linspace(0, DURATION, 41)
