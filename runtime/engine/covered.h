@@ -16,6 +16,7 @@ enum { FLEXEL_RANGE, FLEXEL_FARTHEST, FLEXEL_FASTEST, FLEXEL_TAKEN, FLEXEL_LONGE
 
 typedef struct {
     int relative; /* whether the tolerances are relative to the motion, or those that the user has given */
+    double rtol;       /* relative tolerance */
     double atol;       /* absolute tolerance of a motion of the machine's size, in natural scales */
     double resolution; /* rounding errors of coordinates, relative to them, over this tolerance */
     double full, least; /* number of steps that get the full tolerances, and the least part of them that a later step gets */
@@ -53,6 +54,7 @@ double flexel_accepted_error(const flexel_covered *c, double accept, double rang
 
 #define FLEXEL_NO_ERROR 1e-300 /* allowed of a variable that is zero */
 #define FLEXEL_OWN 4      /* relative tolerances that a coordinate may err by in a step, of its own range */
+#define FLEXEL_PROMISED 10 /* relative tolerances that rounding errors may have, of the largest range or rate */
 #define FLEXEL_MINOR 1e-4 /* its own range counts as at least so much of the largest one */
 
 static inline double flexel_at_most_one(double part)
@@ -73,6 +75,13 @@ static inline void flexel_covered_value(flexel_covered *c, size_t i, double y)
     c->most_y[i] = y > c->most_y[i] ? y : c->most_y[i];
 }
 
+/* The share for rounding errors: more than one only where these are beyond what the relative tolerance promises of the largest,
+ * as `motion.warnings` says then. */
+static inline double flexel_of_rounding(const flexel_covered *c, double share, double largest)
+{
+    return share * c->atol > FLEXEL_PROMISED * c->rtol * largest ? share : flexel_at_most_one(share);
+}
+
 /* The shares for sizes of a motion, each with a stride between them, and a step of length h.
  *
  * What depends on the coordinates is no more exact than these, relative to their range. A rate that changes its coordinate by
@@ -88,8 +97,9 @@ static inline flexel_shares flexel_shares_of(const flexel_covered *c, const doub
     const double finest = c->resolution * (farthest > 1 ? farthest : 1), least = finest / h;
     const double known = part * range > finest ? part * range : finest, blur = range > 0 ? known / range : part;
     const double coordinates = part * flexel_at_most_one(range), rates = flexel_at_most_one(fastest) * blur;
-    return (flexel_shares){coordinates > finest ? coordinates : finest,
-                           rates > least ? rates : least,
+    const double so_fast = flexel_of_rounding(c, least, fastest), so_far = flexel_of_rounding(c, finest, range);
+    return (flexel_shares){coordinates > so_far ? coordinates : so_far,
+                           rates > so_fast ? rates : so_fast,
                            blur,
                            c->resolution,
                            range / c->atol,

@@ -67,7 +67,7 @@ class Covered(Struct):
     ) -> None:
         super().__init__(ffi.new("flexel_covered *"))
         c, nf = self.struct, structure.nf
-        c.relative, c.atol, c.resolution = relative, atol, resolution / atol
+        c.relative, c.rtol, c.atol, c.resolution = relative, rtol, atol, resolution / atol
         c.full = FULL if full is None else full
         c.least = min(max(FINEST / rtol, resolution / atol, LEAST), 1.0)
         group = state_groups(structure)

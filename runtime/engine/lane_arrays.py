@@ -112,7 +112,7 @@ class LaneCovered(LaneStruct):
     def __init__(self, one: Covered) -> None:
         super().__init__(ffi.new("flexel_covered *"))
         self._keep.append(one)
-        for name in ("relative", "atol", "resolution", "full", "least", "ny", "groups", "group"):
+        for name in ("relative", "rtol", "atol", "resolution", "full", "least", "ny", "groups", "group"):
             setattr(self.struct, name, getattr(one.struct, name))
         self.arrays = {name: self.wide(name, array.size) for name, array in one.arrays.items()}
 

@@ -465,16 +465,16 @@ class MinimalRun(DenseRun):
         covered, given = self.covered, self.tolerances
         of_step = covered.finest_of_step(self.t - float(self.times[0]), self.counts["steps"])
         far, most = covered.farthest > FAR, PROMISED * given.rtol
-        rounded = covered.finest if far else of_step
-        if not given.relative or rounded <= most or not self.imbalance().moved:
+        if not given.relative or max(covered.finest * far, of_step) <= most or not self.imbalance().moved:
             return []
         if far:
             return [
-                f"far from the origin, coordinates are rounded to {rounded:.1g} of the largest range in this motion, "
-                f"and cannot be known to rtol = {given.rtol:g}: place the model near the origin"
+                f"far from the origin, coordinates are rounded to {covered.finest:.1g} of the largest range in this "
+                f"motion, and to {of_step:.1g} of what the fastest one moves in a step, and they or their rates cannot "
+                f"be known to rtol = {given.rtol:g}: place the model near the origin"
             ]
         return [
-            f"this motion is small beside the model: coordinates are rounded to {rounded:.1g} of what the fastest one "
+            f"this motion is small beside the model: coordinates are rounded to {of_step:.1g} of what the fastest one "
             f"moves in a step, and rates cannot be known to rtol = {given.rtol:g}: scale the motion up if it is "
             "linear, or ask for a larger rtol"
         ]
