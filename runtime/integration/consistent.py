@@ -84,68 +84,53 @@ def misfits(system: CoreSystem, begin: float, end: float) -> list[str]:
 def _misfits(function: TimeFunction, begin: float, end: float) -> Iterator[str]:
     """Report the same of one function, for its value and its rate."""
     edges = np.linspace(begin, end, PANELS + 1)
-    there, integrals = rates_at(function, edges)[:, :2], _integrals(function, edges[:-1], edges[1:])
-    changes = np.diff(there, axis=0)
-    size = np.maximum(np.abs(changes).sum(axis=0), np.abs(integrals).sum(axis=0))
-    allowed = MISFIT * size + ROUNDING * PANELS * np.abs(there).max(axis=0)
-    off = np.abs(np.cumsum(changes - integrals, axis=0))
-    if np.any(wrong := np.any(off > allowed, axis=0)):
-        integrals = _refined(function, edges, there, wrong, allowed / PANELS)
-        off = np.abs(np.cumsum(changes - integrals, axis=0))
+    there, integrated = rates_at(function, edges), _integrals(function, edges[:-1], edges[1:])
     for i, rate in enumerate(RATES):
-        k = int(np.argmax(off[:, i]))
-        if off[k, i] > allowed[i]:
+        changes, integrals = np.diff(there[:, i]), integrated[:, i + 1]
+        size = max(float(np.abs(changes).sum()), float(np.abs(integrals).sum()))
+        allowed = MISFIT * size + ROUNDING * PANELS * float(np.abs(there[:, i]).max())
+        off = np.abs(np.cumsum(changes - integrals))
+        if off.max() > allowed:
+            integrals = _refined(function, edges, i, allowed / PANELS)
+            off = np.abs(np.cumsum(changes - integrals))
+        k = int(np.argmax(off))
+        if off[k] > allowed:
             yield (
                 f"from t = {begin:.6g} s to {edges[k + 1]:.6g} s its prescribed {VALUES[i]} changes by "
                 f"{there[k + 1, i] - there[0, i]:.6g}, but the integral of the {rate} is "
-                f"{integrals[: k + 1, i].sum():.6g}: give u alone, or "
+                f"{integrals[: k + 1].sum():.6g}: give u alone, or "
                 "correct the triple (u, u', u''); where a rate jumps, give one function of t, whose jumps are found"
             )
 
 
-def _refined(function: TimeFunction, edges: Array, there: Array, useful: Array, allowed: Array) -> Array:
-    """Integrate both rates over panels again (panels, 2), in halves where a value does not change by its integral.
+def _refined(function: TimeFunction, edges: Array, i: int, allowed: float) -> Array:
+    """Integrate a rate over panels again, in halves where a value does not change by its integral.
 
-    So the short pieces of a function are found, such as rounded corners.  Where a rate is wrong everywhere, or leaves
+    So the short pieces of a function are found, such as rounded corners.  Where the rate is wrong everywhere, or leaves
     out a jump, halves do not help.
-
-    Parameters
-    ----------
-    there : ndarray (panels + 1, 2)
-        Values and rates at the edges.
-    useful : ndarray of bool (2,)
-        For which of them it is done.
-    allowed : ndarray (2,)
-        Difference of each from its integral over a panel.
     """
-    found = np.zeros((edges.size - 1, 2))
-    panel, ends = np.arange(edges.size - 1), np.stack([edges[:-1], edges[1:]])
-    values = np.stack([there[:-1], there[1:]])
+    found = np.zeros(edges.size - 1)
+    panel, start, end = np.arange(edges.size - 1), edges[:-1], edges[1:]
     for level in range(LEVELS_OF_HALVES):
-        integrals = _integrals(function, *ends)
-        left = np.abs(values[1] - values[0] - integrals)
-        wrong = left > allowed * 0.5**level
-        useful = useful & (left.sum(axis=0) > allowed) & (np.count_nonzero(wrong, axis=0) <= MOST_HALVES)
-        split = np.any(wrong & useful, axis=1) & (level < LEVELS_OF_HALVES - 1)
+        integrals = _integrals(function, start, end)[:, i + 1]
+        changes = rates_at(function, end)[:, i] - rates_at(function, start)[:, i]
+        split = np.abs(changes - integrals) > allowed * 0.5**level
+        if level == LEVELS_OF_HALVES - 1 or np.count_nonzero(split) > MOST_HALVES:
+            split[:] = False
         np.add.at(found, panel[~split], integrals[~split])
-        if not split.any():
-            break
-        middle = ends[:, split].mean(axis=0)
-        between = rates_at(function, middle)[:, :2]
+        first, last = start[split], end[split]
+        middle: Array = (first + last) / 2
         panel = np.tile(panel[split], 2)
-        ends = np.stack([np.concatenate([ends[0, split], middle]), np.concatenate([middle, ends[1, split]])])
-        values = np.stack(
-            [np.concatenate([values[0, split], between]), np.concatenate([between, values[1, split]])]
-        )
+        start, end = np.concatenate([first, middle]), np.concatenate([middle, last])
     return found
 
 
 def _integrals(function: TimeFunction, start: Array, end: Array) -> Array:
-    """Integrate first and second rate (panels, 2) by Gauss's rule."""
+    """Integrate value, first and second rate (panels, 3) by Gauss's rule."""
     half = (end - start) / 2
     times = (start + half)[:, None] + half[:, None] * NODES
-    rates = rates_at(function, times.ravel()).reshape(*times.shape, 3)[..., 1:]
-    return np.asarray(np.einsum("pgc,g,p->pc", rates, WEIGHTS, half))
+    values = rates_at(function, times.ravel()).reshape(*times.shape, 3)
+    return np.asarray(np.einsum("pgc,g,p->pc", values, WEIGHTS, half))
 
 
 def _slopes(function: TimeFunction, times: Array, h: float) -> Array:
