@@ -14,6 +14,9 @@
  * number of steps taken, and the longest of them. */
 enum { FLEXEL_RANGE, FLEXEL_FARTHEST, FLEXEL_FASTEST, FLEXEL_TAKEN, FLEXEL_LONGEST, FLEXEL_SIZES };
 
+/* Relative tolerances that rounding errors may have of the largest range or rate without a warning. */
+enum { FLEXEL_PROMISED = 10 };
+
 typedef struct {
     int relative; /* whether the tolerances are relative to the motion, or those that the user has given */
     double rtol;       /* relative tolerance */
@@ -54,7 +57,6 @@ double flexel_accepted_error(const flexel_covered *c, double accept, double rang
 
 #define FLEXEL_NO_ERROR 1e-300 /* allowed of a variable that is zero */
 #define FLEXEL_OWN 4      /* relative tolerances that a coordinate may err by in a step, of its own range */
-#define FLEXEL_PROMISED 10 /* relative tolerances that rounding errors may have, of the largest range or rate */
 #define FLEXEL_MINOR 1e-4 /* its own range counts as at least so much of the largest one */
 
 static inline double flexel_at_most_one(double part)
@@ -96,7 +98,8 @@ static inline flexel_shares flexel_shares_of(const flexel_covered *c, const doub
         return (flexel_shares){part, part, 0, part, INFINITY, part, part, part};
     const double finest = c->resolution * (farthest > 1 ? farthest : 1), least = finest / h;
     const double known = part * range > finest ? part * range : finest, blur = range > 0 ? known / range : part;
-    const double coordinates = part * flexel_at_most_one(range), rates = flexel_at_most_one(fastest) * blur;
+    const double coordinates = part * flexel_at_most_one(range);
+    const double rates = flexel_at_most_one(flexel_at_most_one(fastest) * blur);
     const double so_fast = flexel_of_rounding(c, least, fastest), so_far = flexel_of_rounding(c, finest, range);
     return (flexel_shares){coordinates > so_far ? coordinates : so_far,
                            rates > so_fast ? rates : so_fast,

@@ -169,8 +169,8 @@ class Dop853(StepMethod):
         short = self.h < self._shortest and self.h < self._end - t
         if short and not self._jumps(t):
             return Attempted.SHORT
-        if instant := short and self.h < course.resolution:
-            self.h = course.resolution
+        if short and self.h < course.resolution:
+            return self._cross(t)
         c = self.steps.struct
         if not self.tried:
             ahead = crossing_step(self.flat - t, min(self.h, course.tolerances.max_step))
@@ -178,8 +178,6 @@ class Dop853(StepMethod):
             self._try(t)
         self.tried = False
         self._error, self._found = self._largest_error() if not self._code else np.inf, self._defect
-        if instant and not self._code:
-            self._error = min(self._error, 0.5)  # that of an instant, which is known no better
         if self._error < 1:
             trusted = self._trusted()
             exact = trusted and self._exact(self._defect)
@@ -188,8 +186,6 @@ class Dop853(StepMethod):
             if trusted and not exact:
                 self._found = float(c.defect_v)
             self._error = np.inf
-        if instant:
-            return Attempted.SHORT
         course.counts["rejected"] += 1
         return self.refuse(False) if np.isfinite(self._error) else Attempted.UNUSABLE
 
@@ -211,6 +207,15 @@ class Dop853(StepMethod):
         slight = (self._to - t) * change.max(initial=0.0) <= PREDICTED * c.fastest  # false for NaN
         self._jump = t, bool(slight and not self._code and not c.changed)
         return self._jump[1]
+
+    def _cross(self, t: float) -> Attempted:
+        """Cross a jump of forces in the shortest step of all; its error is that of an instant, known no better."""
+        self._to, self.tried = min(t + self.course.resolution, self._end), False
+        self._try(t)
+        if self._code or self.steps.struct.changed or not (self._trusted() and self._exact(self._defect)):
+            return Attempted.SHORT
+        self._error = min(self._largest_error(), 0.5)
+        return Attempted.FOUND
 
     def _poor(self, t: float) -> bool:
         """Whether other degrees of freedom may explain a change of sign of the trial from a time [s].

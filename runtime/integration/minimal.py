@@ -20,6 +20,7 @@ from flexel.base.arrays import Array
 from flexel.base.errors import DynamicsError, FlexelError
 from flexel.engine.contact_selection import every_gap
 from flexel.engine.covered import Covered
+from flexel.generated._kernels import lib
 from flexel.integration.account import Account
 from flexel.integration.attempts import Attempted, search
 from flexel.integration.branch import REFUSED, WORSE, Choices
@@ -44,7 +45,6 @@ log = logging.getLogger("flexel.simulate")
 SHORTEST = 1e-11  # step, relative to the times, below which the integration stops
 EXTREME = 10.0  # amplification of kept degrees of freedom, relative to the best, that explains an early end
 STILL = 1e-14  # rates, in natural scales, that are rounding errors
-PROMISED = 10.0  # tolerances that rounding errors of coordinates may have without a warning
 FAR = 10.0  # distance from the origin, in natural scales, to which rounding errors are attributed
 PAUSE = 0.1  # time [s] for which an interrupt, or the progress bar, may wait for steps in a row
 SHORT_ROW = 4  # steps of a row, up to an unusual one, that are not worth a row
@@ -274,17 +274,18 @@ class MinimalRun(DenseRun):
         self.counts["steps"] += 1
         self.taken += 1
         self.pass_step(found.dense, found.z)
-        if self.choices.changes:
-            self._shown = self.shown()
 
     # -- steps that are taken in a lane, see lane_motions.py -------------------------------------------
 
     def pass_step(self, dense: DenseOutput, z: Array) -> str | None:
         """Store an accepted step, and the states at the times within it; returns a message as `advance` does."""
         first, last, shown = dense.first, dense.last, self._shown
-        if self.choices.changes and shown is self.choices.own:
-            shown = self.shown(last)
-        return self.accept(Step(first.t, last.t, self.kinematics, shown, first, last, dense), z)
+        at_end = self.shown(last) if self.choices.changes else shown
+        if shown is self.choices.own:
+            shown = at_end  # the user's are shown where they are usable at both ends
+        ended = self.accept(Step(first.t, last.t, self.kinematics, shown, first, last, dense), z)
+        self._shown = at_end
+        return ended
 
     def go_on_alone(self, now: Snapshot, z: Array, amplification: float) -> None:
         """Continue from the start of a step, to which the method has come."""
@@ -354,12 +355,12 @@ class MinimalRun(DenseRun):
             "system.use_coordinates"
         )
 
-    def shown(self, at: Snapshot | None = None) -> Kinematics:
-        """Return the degrees of freedom in which states are given, now or at an instant: the user's, where usable."""
+    def shown(self, at: Snapshot) -> Kinematics:
+        """Return the degrees of freedom in which states are given at the end of a step: the user's, where usable."""
         choices = self.choices
         if choices.kinematics is choices.own:
             return choices.own
-        own = amplification(choices.own, self.now if at is None else at)
+        own = amplification(choices.own, at)
         return (
             choices.own
             if own <= lost(choices.own.roles) * max(self.amplification, 1.0)
@@ -383,8 +384,7 @@ class MinimalRun(DenseRun):
         ended = self.pass_step(dense, z)
         if ended is None and self.consider(WORSE):
             method.restart()
-        if self.choices.changes:
-            self._shown = self.shown()
+            self._shown = self.shown(self.now)
         return ended
 
     def carry(self, steps: list[Carried]) -> str | None:
@@ -406,7 +406,7 @@ class MinimalRun(DenseRun):
         self.consider(WORSE)
         self.method.restart_with(steps[-1].t1 - steps[-1].t0)
         if self.choices.changes:
-            self._shown = self.shown()
+            self._shown = self.shown(self.now)
         return None
 
     def _balance_of(self, step: Carried, begun: float) -> None:
@@ -464,7 +464,7 @@ class MinimalRun(DenseRun):
         """Describe where coordinates are rounded to more than the tolerance asks for."""
         covered, given = self.covered, self.tolerances
         of_step = covered.finest_of_step(self.t - float(self.times[0]), self.counts["steps"])
-        far, most = covered.farthest > FAR, PROMISED * given.rtol
+        far, most = covered.farthest > FAR, lib.FLEXEL_PROMISED * given.rtol
         if not given.relative or max(covered.finest * far, of_step) <= most or not self.imbalance().moved:
             return []
         if far:

@@ -62,8 +62,11 @@ def nearest(
         unwrap_from = e
         residual = wrap(kinematics.values(e, x)[rows] - goal, period)
         error = float(np.max(np.abs(residual) / scale, initial=0.0))
+        settled = error > 0.5 * best
+        if error < 1e-13 or (settled and error < 1e-11):
+            return x, unwrap_from
         C = J[rows][:, :nf]
-        if error < 1e-13 or (error > 0.5 * best and (error < 1e-11 or rounded(C, x[:nf], scale, residual))):
+        if settled and rounded(C, x[:nf], scale, residual):
             return x, unwrap_from
         stalled = stalled + 1 if error > 0.9 * best else 0
         best = min(best, error)

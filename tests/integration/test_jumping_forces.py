@@ -27,14 +27,13 @@ def wheel() -> fx.System:
     m.tyre("tyre", "hub", "wheel", radius=0.35, axle=(0.304815, 0.951572, -0.039989), crown=0.05)
     seen = ("deflection", "camber", "forward", "rolling", "longitudinal", "lateral", "spin")
     start = {"kappa": -0.08, "tan_alpha": -0.11}
-    rubber = dict(RUBBER)
     m.attach(
         "magic_formula",
         [f"tyre.{name}" for name in seen],
         name="rubber",
         initial=start,
         stiffness=38000.0,
-        **rubber,
+        **RUBBER,
     )
     return m.build()
 
