@@ -84,53 +84,72 @@ def misfits(system: CoreSystem, begin: float, end: float) -> list[str]:
 def _misfits(function: TimeFunction, begin: float, end: float) -> Iterator[str]:
     """Report the same of one function, for its value and its rate."""
     edges = np.linspace(begin, end, PANELS + 1)
-    there, integrated = rates_at(function, edges), _integrals(function, edges[:-1], edges[1:])
+    there, integrals = rates_at(function, edges)[:, :2], _integrals(function, edges[:-1], edges[1:])
+    changes = np.diff(there, axis=0)
+    size = np.maximum(np.abs(changes).sum(axis=0), np.abs(integrals).sum(axis=0))
+    allowed = MISFIT * size + ROUNDING * PANELS * np.abs(there).max(axis=0)
+    wrong = _off(changes, integrals).max(axis=0) > allowed
+    if wrong.any():
+        refined = _refined(function, edges, there, integrals, np.where(wrong, allowed / PANELS, np.inf))
+        integrals = np.where(wrong, refined, integrals)
+    off = _off(changes, integrals)
     for i, rate in enumerate(RATES):
-        changes, integrals = np.diff(there[:, i]), integrated[:, i + 1]
-        size = max(float(np.abs(changes).sum()), float(np.abs(integrals).sum()))
-        allowed = MISFIT * size + ROUNDING * PANELS * float(np.abs(there[:, i]).max())
-        off = np.abs(np.cumsum(changes - integrals))
-        if off.max() > allowed:
-            integrals = _refined(function, edges, i, allowed / PANELS)
-            off = np.abs(np.cumsum(changes - integrals))
-        k = int(np.argmax(off))
-        if off[k] > allowed:
+        k = int(np.argmax(off[:, i]))
+        if off[k, i] > allowed[i]:
             yield (
                 f"from t = {begin:.6g} s to {edges[k + 1]:.6g} s its prescribed {VALUES[i]} changes by "
                 f"{there[k + 1, i] - there[0, i]:.6g}, but the integral of the {rate} is "
-                f"{integrals[: k + 1].sum():.6g}: give u alone, or "
+                f"{integrals[: k + 1, i].sum():.6g}: give u alone, or "
                 "correct the triple (u, u', u''); where a rate jumps, give one function of t, whose jumps are found"
             )
 
 
-def _refined(function: TimeFunction, edges: Array, i: int, allowed: float) -> Array:
-    """Integrate a rate over panels again, in halves where a value does not change by its integral.
+def _off(changes: Array, integrals: Array) -> Array:
+    """Return by how much values have changed from their integrals up to the end of each panel."""
+    return np.abs(np.cumsum(changes - integrals, axis=0))
 
-    So the short pieces of a function are found, such as rounded corners.  Where the rate is wrong everywhere, or leaves
+
+def _refined(function: TimeFunction, edges: Array, values: Array, integrals: Array, allowed: Array) -> Array:
+    """Integrate both rates over panels again (panels, 2), in halves where a value does not change by its integral.
+
+    So the short pieces of a function are found, such as rounded corners.  Where a rate is wrong everywhere, or leaves
     out a jump, halves do not help.
+
+    Parameters
+    ----------
+    values : ndarray (panels + 1, 2)
+        Value and rate at the edges.
+    integrals : ndarray (panels, 2)
+        Of both rates, not refined.
+    allowed : ndarray (2,)
+        Differences over a panel at which a panel is left as it is; infinite for what is not refined.
     """
-    found = np.zeros(edges.size - 1)
+    found = np.zeros_like(integrals)
     panel, start, end = np.arange(edges.size - 1), edges[:-1], edges[1:]
+    first, last = values[:-1], values[1:]
     for level in range(LEVELS_OF_HALVES):
-        integrals = _integrals(function, start, end)[:, i + 1]
-        changes = rates_at(function, end)[:, i] - rates_at(function, start)[:, i]
-        split = np.abs(changes - integrals) > allowed * 0.5**level
-        if level == LEVELS_OF_HALVES - 1 or np.count_nonzero(split) > MOST_HALVES:
-            split[:] = False
+        wrong = np.abs(last - first - integrals) > allowed * 0.5**level
+        allowed = np.where(np.count_nonzero(wrong, axis=0) > MOST_HALVES, np.inf, allowed)
+        split = np.any(wrong & np.isfinite(allowed), axis=1) & (level < LEVELS_OF_HALVES - 1)
         np.add.at(found, panel[~split], integrals[~split])
-        first, last = start[split], end[split]
-        middle: Array = (first + last) / 2
+        if not split.any():
+            break
+        start, end, first, last = start[split], end[split], first[split], last[split]
+        middle: Array = (start + end) / 2
+        between = rates_at(function, middle)[:, :2]
         panel = np.tile(panel[split], 2)
-        start, end = np.concatenate([first, middle]), np.concatenate([middle, last])
+        start, end = np.concatenate([start, middle]), np.concatenate([middle, end])
+        first, last = np.concatenate([first, between]), np.concatenate([between, last])
+        integrals = _integrals(function, start, end)
     return found
 
 
 def _integrals(function: TimeFunction, start: Array, end: Array) -> Array:
-    """Integrate value, first and second rate (panels, 3) by Gauss's rule."""
+    """Integrate first and second rate (panels, 2) by Gauss's rule."""
     half = (end - start) / 2
     times = (start + half)[:, None] + half[:, None] * NODES
-    values = rates_at(function, times.ravel()).reshape(*times.shape, 3)
-    return np.asarray(np.einsum("pgc,g,p->pc", values, WEIGHTS, half))
+    rates = rates_at(function, times.ravel()).reshape(*times.shape, 3)[..., 1:]
+    return np.asarray(np.einsum("pgc,g,p->pc", rates, WEIGHTS, half))
 
 
 def _slopes(function: TimeFunction, times: Array, h: float) -> Array:

@@ -35,6 +35,7 @@ from flexel.integration.step_method import InRow, StepMethod, Tolerances, natura
 from flexel.integration.touching import TouchingContacts
 from flexel.integration.workers import workers
 from flexel.mechanics.amplification import amplification, lost
+from flexel.mechanics.collapsed import collapsed
 from flexel.mechanics.impulse import struck
 from flexel.mechanics.kinematics import Kinematics
 from flexel.mechanics.timed_laws import timed_law
@@ -517,6 +518,12 @@ class MinimalRun(DenseRun):
         self.amplification = self.choices.amplification(self.now)
         if not self.choices.free and self.choices.worse(self.now, self.amplification, EXTREME) is not None:
             error = self.lost()
+        elif shrunk := collapsed(self.system.structure, self.now.x):
+            error = DynamicsError(
+                f"the steps have become too short at t = {self.t:g} s: {shrunk}; keep these points apart by a "
+                "stop or a stiffer spring, let forces act along coordinates if the points may pass one another, or end "
+                f"the motion before {self.t:g} s"
+            )
         return self.noted(error)
 
     def noted(self, error: FlexelError) -> FlexelError:

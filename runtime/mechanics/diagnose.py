@@ -99,7 +99,11 @@ def pick(kinematics: Kinematics, J: Array, space: Array, exclude: Index) -> Inde
     rows = np.setdiff1d(candidates(structure, kinematics.roles), exclude)
     heavy = heaviness(kinematics, rows)
     weight = preferences(kinematics, rows) * heavy * earliness(rows.size)
-    S = (J[rows, : structure.nf] @ space) * weight[:, None]
+    scales = kinematics.scales(structure.m + structure.k + np.arange(structure.nf))[:, None]
+    own, _ = np.linalg.qr(
+        space / scales
+    )  # of equal size in natural scales: the choice does not depend on units
+    S = (J[rows, : structure.nf] @ (scales * own)) * weight[:, None]
     _, R, pivots = qr(S.T, mode="economic", pivoting=True)
     independent = np.abs(np.diag(R)) / heavy[pivots[: len(R)]]
     if independent.size < space.shape[1] or independent.min() < 1e-9 * independent.max():

@@ -80,9 +80,10 @@ def check_size(structure: Structure) -> None:
 
 
 def natural_scales(structure: Structure) -> Array:
-    """Return the natural scale of each quantity: the size of the model for lengths, one for the rest."""
+    """Return the natural scale of each quantity: from the size of the model for lengths and curvatures, else one."""
     size = size_of(structure)
-    return np.array([size if unit == "m" else 1.0 for unit in structure.units])
+    scale = {"m": size, "1/m": 1 / size}
+    return np.array([scale.get(unit, 1.0) for unit in structure.units])
 
 
 def turns(difference: Array, period: Array) -> Array:

@@ -107,6 +107,18 @@ class Structure(Constant):
         specs = [d for instance in self.instances for d in instance.spec.deformations]
         return tuple(i for i, d in enumerate(specs) if d.kinked)
 
+    @cached_property
+    def wheels(self) -> tuple[tuple[Instance, ...], Array]:
+        """Elements that keep their last node on a road below their first, and matrix of these heights by x."""
+        ends = {"axle", "normal"}
+        rolling = (one for one in self.instances if ends <= one.parameters.keys())
+        some = tuple(one for one in rolling if any(d.kind == "touch" for d in one.spec.deformations))
+        heights = np.zeros((len(some), self.n))
+        for row, one in zip(heights, some, strict=True):
+            for node, sign in ((one.nodes[0], 1.0), (one.nodes[-1], -1.0)):
+                row[self.places(node)] += sign * one.parameters["normal"]
+        return some, heights
+
     @property
     def has_user_code(self) -> bool:
         """Whether elements or laws are evaluated by code that was compiled for the user."""

@@ -154,7 +154,7 @@ def test_root_loci_are_those_of_models_that_are_built_anew(key: str) -> None:
     system, anew = (cantilever("plane", numbers) for numbers in (at_rest, at_rest | {key: OTHER[key]}))
     loci = system.root_loci(parameters={f"b{i}.{key}": [GIVEN[key], OTHER[key]] for i in range(2)})
     assert (loci.name, loci.unit) == (f"b0.{key}", UNITS[key])
-    assert difference(loci.linearizations.eigenvalues()[1], anew.linearize().eigenvalues()) < 1e-13
+    assert rounded(loci.linearizations.eigenvalues()[1], anew.linearize().eigenvalues()) < 1e-14
 
 
 @pytest.mark.parametrize("kind", KINDS)

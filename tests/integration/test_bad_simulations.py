@@ -88,3 +88,20 @@ def test_an_event_that_calls_itself_without_end_is_named() -> None:
 
     with pytest.raises(fx.ModelError, match="event 'ground'.*calls itself endlessly"):
         m.build().simulate(1.0, events=[fx.Event("ground", height)])
+
+
+@pytest.mark.parametrize("method", ["DOP853", "Radau"])
+def test_a_truss_that_shrinks_to_no_length_is_named(method: str) -> None:
+    """Two masses on a line that would pass one another."""
+    m = fx.Model()
+    m.point("O", (0, 0), fixed=True)
+    for i in (1, 2):
+        m.point_mass(f"m{i}", m.point(f"P{i}", (0.5 * i, 0)), 1.0)
+        m.fix(f"P{i}.y")
+        m.truss(f"t{i}", "O" if i == 1 else "P1", f"P{i}")
+        m.spring(f"t{i}.elongation", 10.0)
+    m.initial("P1.x", rate=0.0)
+    m.initial("P2.x", rate=-4.0)
+    named = r"at t = 0\.1\d* s: 't2' has shrunk to .* m: 'P1' and 'P2' meet there"
+    with pytest.raises(fx.DynamicsError, match=named):
+        m.build().simulate(1.0, method=method)
