@@ -6,8 +6,9 @@ import numpy as np
 
 from flexel.base.arrays import Array
 from flexel.base.errors import ModelError
-from flexel.base.time_functions import calls_user
+from flexel.base.time_functions import TimeFunction, calls_user, values_at
 from flexel.integration.balance import Saddle
+from flexel.integration.time_scales import FEWER
 from flexel.mechanics.saddle import SaddlePattern
 from flexel.model.state import State
 
@@ -21,7 +22,7 @@ def extent(saddle: Saddle, start: State, duration: float) -> float:
     One step of the implicit Euler method from the start, linearized, goes as far as a vibration whose period is
     longer than the step, or else to its static deflection. The largest of steps of many lengths is taken, and of
     steps over the whole duration with the loads and prescribed motions of later instants; loads that are functions of
-    the user are not called before their time.
+    the user are not called before their time.  What is prescribed goes at least as far as its values.
 
     Parameters
     ----------
@@ -42,7 +43,19 @@ def extent(saddle: Saddle, start: State, duration: float) -> float:
     kinematics = saddle.system.kinematics
     if kinematics.time_functions and not any(map(calls_user, kinematics.loads.functions)):
         found += [_later(saddle, pattern, start, duration, start.t + at * duration) for at in LOOKS]
+    scales = saddle.scales[saddle.roles.prescribed].tolist()
+    for motion, scale in zip(saddle.roles.motions, scales, strict=True):
+        found.append(_range(motion, start.t, duration) / scale)
     return min(max(found), 1.0)
+
+
+def _range(motion: TimeFunction, begin: float, duration: float) -> float:
+    """Return by how much a prescribed motion changes from a time [s] on, as far as it is known there."""
+    knots = np.asarray(getattr(motion, "knots", ()), dtype=float)
+    inside = knots[(begin < knots) & (knots < begin + duration)]
+    values = values_at(motion, np.concatenate([begin + duration * np.linspace(0.0, 1.0, FEWER + 1), inside]))
+    known = values[np.isfinite(values)]
+    return float(np.ptp(known)) if known.size else 0.0
 
 
 def _later(saddle: Saddle, pattern: SaddlePattern, start: State, step: float, t: float) -> float:

@@ -30,7 +30,6 @@ def give(kinematics: Kinematics, interval: Interval, given: Array, times: Sequen
         return
     rows = []  # lists: small arrays would cost more than most functions
     for t in times:
-        inside = interval.inside(t)
-        row = [part for order in zip(*[f.rates(inside) for f in motions], strict=True) for part in order]
-        rows.append(row + loads.listed(inside) if varying else row)
+        row = [part for order in zip(*[interval.rates(f, t) for f in motions], strict=True) for part in order]
+        rows.append(row + loads.listed(interval.inside(t)) if varying else row)
     given[:, 0 if motions else split : None if varying else split] = rows

@@ -64,6 +64,16 @@ class Interval:
         """Return the time, or the nearest one within the interval."""
         return min(max(t, self.first), self.last)
 
+    def rates(self, function: TimeFunction, t: float) -> tuple[float, float, float]:
+        """Return value, first and second rate at a time [s], from those at the nearest one within the interval.
+
+        Without that step of a series, positions and rates at knots would differ from those beside them, by more than
+        tight tolerances allow.
+        """
+        inside = self.inside(t)
+        u, ud, udd = function.rates(inside)
+        return (u, ud, udd) if t == inside else (u + (t - inside) * ud, ud + (t - inside) * udd, udd)
+
 
 class Knots:
     """The knots of one motion, from the present step on.
