@@ -6315,6 +6315,7 @@ LAWS: dict[str, LawSpec] = {
         begins=(
             BeginSpec((TermSpec(1.0),), (), ()),
             BeginSpec((TermSpec(1.0, powers=(("stiffness", 0, 1),)),), (TermSpec(1.0, powers=(("damping", 0, 1),)),), ()),
+            BeginSpec((TermSpec(1.0, powers=(("stiffness", 0, 1),)),), (TermSpec(1.0, powers=(("damping", 0, 1),)),), (TermSpec(-1.0, powers=(("A", 2, 1),)),)),
         ),
         arguments=(
             ArgumentSpec("deflection", unit="m"),
@@ -6372,6 +6373,7 @@ LAWS: dict[str, LawSpec] = {
         begins=(
             BeginSpec((TermSpec(1.0),), (), ()),
             BeginSpec((TermSpec(1.0, powers=(("stiffness", 0, 1),)),), (TermSpec(1.0, powers=(("damping", 0, 1),)),), ()),
+            BeginSpec((TermSpec(1.0, powers=(("stiffness", 0, 1),)),), (TermSpec(1.0, powers=(("damping", 0, 1),)),), (TermSpec(-2.0, powers=(("load0", 0, 1),)),)),
         ),
         arguments=(
             ArgumentSpec("deflection", unit="m"),

@@ -25,8 +25,9 @@ SIDE_SLIPS = (FORWARD, SIDEWAYS, LATERAL, SPIN)
 UNITS = {PRESS: "m", CAMBER: "rad", FORWARD: "m/s", SIDEWAYS: "m/s", ROLLING: "rad/s"}
 UNITS |= {LONGITUDINAL: "m/s", LATERAL: "m/s", SPIN: "rad/s"}
 
+LOAD = STIFFNESS.symbol * PRESS + DAMPING.symbol * PRESS_RATE  # while the tyre is pressed
 # The load is zero where the tyre is lifted, and before, where it is unloaded faster than its damper lets it expand.
-BEGINS = (PRESS, STIFFNESS.symbol * PRESS + DAMPING.symbol * PRESS_RATE)
+BEGINS = (PRESS, LOAD)
 
 _LOAD_DOC = "Fz = max(0, stiffness e + damping edot) while the deflection e > 0, else 0"
 _SIDE_DOC = (
@@ -42,9 +43,8 @@ def _units(*arguments: Symbol) -> tuple[str, ...]:
 
 def _load(let: Let) -> tuple[Symbol, Expr]:
     """Return the vertical force, which never pulls, and the energy stored with it."""
-    k, c = STIFFNESS.symbol, DAMPING.symbol
-    pressed = Piecewise((Max(0, k * PRESS + c * PRESS_RATE), PRESS > 0), (0, True))
-    return let.scalar("Fz", pressed), Piecewise((k * PRESS**2 / 2, PRESS > 0), (0, True))
+    pressed = Piecewise((Max(0, LOAD), PRESS > 0), (0, True))
+    return let.scalar("Fz", pressed), Piecewise((STIFFNESS.symbol * PRESS**2 / 2, PRESS > 0), (0, True))
 
 
 def _slip_angle(let: Let) -> tuple[Symbol, Symbol]:
@@ -64,8 +64,12 @@ def _side_law(
     results: tuple[Expr, ...],
     source: str,
     limit: Limit | None = None,
+    kinks: tuple[Expr, ...] = (),
 ) -> Law:
-    """Declare a law of load and side force; `results` are Fz, its energy, Fy, Mz and the fading at standstill."""
+    """Declare a law of load and side force; `results` are Fz, its energy, Fy, Mz and the fading at standstill.
+
+    At zeros of `kinks` its slope jumps, besides where the load begins.
+    """
     Fz, energy, Fy, Mz, fade = results
     return Law(
         name=name,
@@ -77,7 +81,7 @@ def _side_law(
         sigma=(Fz, Rational(0)),
         tau=(Rational(0), Rational(0), -fade * Fy, -fade * Mz),
         energy=energy,
-        begins=BEGINS,
+        begins=BEGINS + kinks,
         source=source,
         let=let.entries,
         limit=limit,
@@ -161,7 +165,8 @@ def _calspan() -> Law:
     )
     source = "CALSPAN tyre as in Frik, Leister, Schwartz 1993, Vehicle System Dynamics 22 suppl."
     limit = Limit(A2, "friction and stiffnesses keep their values beyond")
-    return _side_law("calspan_tyre", doc, (A, B, SN, AF), let, (Fz, energy, Fy, Mz, fade), source, limit)
+    results = Fz, energy, Fy, Mz, fade
+    return _side_law("calspan_tyre", doc, (A, B, SN, AF), let, results, source, limit, kinks=(LOAD - A2,))
 
 
 _MAGIC = (
@@ -232,7 +237,7 @@ def _magic_formula() -> Law:
         sigma=(Fz, zero),
         tau=(zero, zero, -Fx, -Fy, arm * Fy),
         energy=energy,
-        begins=BEGINS,
+        begins=(*BEGINS, LOAD - 2 * F0),  # where the friction no longer depends on the load
         source="Pacejka, Tyre and Vehicle Dynamics, similarity method and single contact point transient model",
         states=states,
         let=let.entries,

@@ -111,7 +111,9 @@ def test_a_law_begins_to_act_where_a_linear_form_is_zero() -> None:
     }
     one = ((1.0, ()),)
     pressed = [(one, (), ()), (((1.0, (("stiffness", 0, 1),)),), ((1.0, (("damping", 0, 1),)),), ())]
-    tyres = ("vertical_tyre", "linear_tyre", "calspan_tyre", "magic_formula")
+    full = {"calspan_tyre": (-1.0, (("A", 2, 1),)), "magic_formula": (-2.0, (("load0", 0, 1),))}
+    tyres: dict[str, list[Any]] = {"vertical_tyre": pressed, "linear_tyre": pressed}
+    tyres |= {name: [*pressed, (*pressed[1][:2], (load,))] for name, load in full.items()}
     level = {name: (one, (), ((-1.0, ((name, 0, 1),)),)) for name in ("gap", "low", "high")}
     kinks = [((-1.0, (("kinks", i, 1),)),) for i in range(15)]
     curves = {
@@ -119,7 +121,7 @@ def test_a_law_begins_to_act_where_a_linear_form_is_zero() -> None:
         "damper_curve": [((), one, kink) for kink in kinks],
     }
     stops = {"stop": [level["gap"]], "limits": [level["low"], level["high"]]}
-    assert begins == stops | curves | dict.fromkeys(tyres, pressed)
+    assert begins == stops | curves | tyres
 
 
 @pytest.mark.parametrize("expr", ["x", "e**2", "gap", "e*ed", "e - cos(gap)"])

@@ -1,10 +1,12 @@
 """Steps end where a contact, a stop or a tyre begins and ends to act: forces are smooth within each."""
 
 from collections.abc import Callable
+from typing import Any
 
 import numpy as np
 import pytest
 import sympy as sp
+from wheels import CALSPAN, MAGIC, MAGIC_ON, SIDE, K, R, wheel
 
 import flexel as fx
 
@@ -214,3 +216,26 @@ def test_a_mass_on_a_plane_that_turns_needs_no_shorter_steps(friction: float, st
     exact = system.simulate(2.0, samples=2, method="DOP853")
     for name in ("P.x", "P.y"):
         assert motion[name][-1] == pytest.approx(exact[name][-1], abs=5e-5)
+
+
+@pytest.mark.parametrize(
+    ("law", "on", "given", "load"),
+    [
+        ("magic_formula", MAGIC_ON, MAGIC, 2 * MAGIC["load0"]),
+        ("calspan_tyre", SIDE, CALSPAN, CALSPAN["A"][2]),
+    ],
+)
+@pytest.mark.filterwarnings("ignore::flexel.RangeWarning")  # the data of the CALSPAN tyre end there
+def test_a_step_ends_where_the_friction_of_a_tyre_no_longer_depends_on_the_load(
+    law: str, on: list[str], given: dict[str, Any], load: float
+) -> None:
+    """A wheel that has been pressed on the road, and lets go of it."""
+    m = wheel(z=R - 1.5 * load / K)
+    m.attach(law, on, name="rubber", stiffness=K, damping=100.0, **given)
+    m.initial("hub.x", rate=3.0)
+    m.initial("hub.y", rate=0.2)
+    motion = m.build().simulate(0.05, samples=2, method="DOP853")
+    ends = [motion.at(step.t1) for step in motion._segments]
+    loads = np.array([K * s["tyre.deflection"] + 100.0 * s.rate("tyre.deflection") for s in ends])
+    assert loads.max() > load > loads.min()
+    assert np.abs(loads / load - 1).min() < 1e-6
