@@ -99,10 +99,9 @@ def pick(kinematics: Kinematics, J: Array, space: Array, exclude: Index) -> Inde
     rows = np.setdiff1d(candidates(structure, kinematics.roles), exclude)
     heavy = heaviness(kinematics, rows)
     weight = preferences(kinematics, rows) * heavy * earliness(rows.size)
-    scales = kinematics.scales(structure.m + structure.k + np.arange(structure.nf))[:, None]
-    own, _ = np.linalg.qr(
-        space / scales
-    )  # of equal size in natural scales: the choice does not depend on units
+    first = structure.m + structure.k
+    scales = kinematics.scales(slice(first, first + structure.nf))[:, None]
+    own, _ = np.linalg.qr(space / scales)  # orthonormal in natural scales, so that units do not matter
     S = (J[rows, : structure.nf] @ (scales * own)) * weight[:, None]
     _, R, pivots = qr(S.T, mode="economic", pivoting=True)
     independent = np.abs(np.diag(R)) / heavy[pivots[: len(R)]]

@@ -109,9 +109,9 @@ class Structure(Constant):
 
     @cached_property
     def wheels(self) -> tuple[tuple[Instance, ...], Array]:
-        """Elements that keep their last node on a road below their first, and matrix of these heights by x."""
-        ends = {"axle", "normal"}
-        rolling = (one for one in self.instances if ends <= one.parameters.keys())
+        """Elements that keep their last node on a road below their first; the matrix gives these heights from x."""
+        named = {"axle", "normal"}
+        rolling = (one for one in self.instances if named <= one.parameters.keys())
         some = tuple(one for one in rolling if any(d.kind == "touch" for d in one.spec.deformations))
         heights = np.zeros((len(some), self.n))
         for row, one in zip(heights, some, strict=True):

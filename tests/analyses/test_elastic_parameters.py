@@ -148,13 +148,18 @@ def test_many_motions_together_are_those_of_models_that_are_built_anew(kind: str
         close(path, cantilever("plane", given | {"EIz": value}, 0.2).simulate(0.05, samples=3)["P2.y"], 1e-12)
 
 
+NODAL = ("P", ".x"), ("P", ".y"), ("R", ".angle")
+
+
 @pytest.mark.parametrize("key", ["EA", "EIz", "GAy", "damping"])
 def test_root_loci_are_those_of_models_that_are_built_anew(key: str) -> None:
     at_rest = GIVEN | {"initial_curvature": [0.0, 0.0, 0.0], "initial_strain": 0.0}
     system, anew = (cantilever("plane", numbers) for numbers in (at_rest, at_rest | {key: OTHER[key]}))
+    for s in (system, anew):  # small eigenvalues keep their digits in these coordinates
+        s.use_coordinates([f"{name}{i}{part}" for i in (1, 2) for name, part in NODAL])
     loci = system.root_loci(parameters={f"b{i}.{key}": [GIVEN[key], OTHER[key]] for i in range(2)})
     assert (loci.name, loci.unit) == (f"b0.{key}", UNITS[key])
-    assert rounded(loci.linearizations.eigenvalues()[1], anew.linearize().eigenvalues()) < 1e-14
+    assert difference(loci.linearizations.eigenvalues()[1], anew.linearize().eigenvalues()) < 1e-13
 
 
 @pytest.mark.parametrize("kind", KINDS)
