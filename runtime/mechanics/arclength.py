@@ -188,7 +188,10 @@ def _follows(
     weights = curve.weights(known.equations)
 
     def cosine(a: Array, b: Array) -> float:
-        return float((weights * a) @ b) / float(np.sqrt((weights @ a**2) * (weights @ b**2)))
+        lengths = float(np.sqrt((weights @ a**2) * (weights @ b**2)))
+        return (
+            float((weights * a) @ b) / lengths if lengths else 0.0
+        )  # a point on the last one does not follow it
 
     astray = float(np.sqrt(weights @ (point.y - guess) ** 2))
     if arc <= SHORT:

@@ -23,13 +23,14 @@ from flexel.statics.equilibrium import MAX_STEP, STALLED_TOLERANCE, TOLERANCE, E
 from flexel.statics.growth import growing_motions
 from flexel.statics.rest_check import unbalanced
 from flexel.statics.search import Search
-from flexel.statics.settling import descend, push, unstable_motions
+from flexel.statics.settling import descend, unstable_motions, way_out
 from flexel.system import CoreSystem
 
 log = logging.getLogger("flexel.statics")
 ARCS = Arcs(first=0.1, largest=0.5, smallest=1e-7, steps=2000)
 MOST_PUSH = 20.0  # forces that push, over those that would move the model by its size at the start
 MOST_LEFT = 10  # unstable equilibria that are left, one after another
+DISPLACED = 0.1  # displacement, in natural scales, from which a model descends
 
 
 @dataclass
@@ -103,18 +104,24 @@ def _left(problem: Rest, state: State, mu: Array, q: Equations, onward: Array) -
 
     Forces push along the motion in which it is unstable.  The further the model has moved, the less they need to
     push, until they vanish at another equilibrium.  If that is unstable, or they only grow, as where parts turn
-    far, the model descends from the way.
+    far, the model descends from the way.  It descends at once where nothing resists some motion, such as the turning
+    of an upright pendulum about its axis: the slightest push may move it far along that.
     """
     for _ in range(MOST_LEFT):
-        forces = push(problem, q, onward)
-        before = state.x
-        found = _follow(problem, LoadPath(problem, state, mu, (state.t, state.t), forces))
-        state = found.states[-1]
-        q, mu = _again(problem, state)
-        if not found.message and not unstable_motions(problem, q):
-            return state
-        beside = found.states[-1 if found.message else -2]
-        descended = _descended(problem, state.t, beside.x, problem.multipliers(beside), beside.e)
+        before, (way, steepness) = state.x, way_out(problem, q, onward)
+        x, e = state.x.copy(), state.e
+        x[: way.size] += DISPLACED * problem.x_scale * way
+        if q.matrix.free_motion() is None:
+            forces = np.zeros(len(q.residual))
+            forces[: way.size] = steepness * way / problem.x_scale
+            found = _follow(problem, LoadPath(problem, state, mu, (state.t, state.t), forces))
+            state = found.states[-1]
+            q, mu = _again(problem, state)
+            if not found.message and not unstable_motions(problem, q):
+                return state
+            beside = found.states[-1 if found.message else -2]
+            x, mu, e = beside.x, problem.multipliers(beside), beside.e
+        descended = _descended(problem, state.t, x, mu, e)
         if descended is None:
             return None
         (q, mu), state = descended, problem.state(descended[0].balance)

@@ -222,10 +222,11 @@ def _downhill(here: Tangent, r: Array, reach: float) -> Array:
     return np.asarray(-Z @ (V @ np.clip(pull / size, -reach, reach)))
 
 
-def push(problem: Rest, q: Equations, onward: Array) -> Array:
-    """Return forces (nf + nm,) along the motion in which an equilibrium is most unstable.
+def way_out(problem: Rest, q: Equations, onward: Array) -> tuple[Array, float]:
+    """Return the motion in which an equilibrium is most unstable, and the magnitude of its negative stiffness.
 
-    They move the model by about its size; see `_left` in load_path.py.
+    The motion (nf,) is of unit length, in natural scales.  Forces of that size along it move the model by about its
+    size; see `_left` in load_path.py.
 
     Parameters
     ----------
@@ -241,6 +242,4 @@ def push(problem: Rest, q: Equations, onward: Array) -> Array:
     side = float(way @ (onward[:nf] / scale))
     if abs(side) < NEUTRAL_TOLERANCE:
         side = float(way[np.argmax(np.abs(way))])
-    forces = np.zeros(len(q.residual))
-    forces[:nf] = np.sign(side) * abs(w[0].real) * way / scale
-    return forces
+    return np.sign(side) * way, abs(float(w[0].real))

@@ -72,6 +72,21 @@ def test_a_chain_of_five_hangs_wherever_it_is_drawn(way: tuple[float, float]) ->
         assert state[f"P{i}.y"] == pytest.approx(-i, abs=1e-9)
 
 
+@pytest.mark.parametrize("mass", [0.5, 0.7, 1.1, 1.9])
+def test_an_upright_body_that_also_turns_freely_hangs_on_wish(mass: float) -> None:
+    """Nothing resists its turning about the vertical; pushing forces came through by the luck of rounding errors."""
+    for arm in np.random.default_rng(7).uniform(0.05, 0.2, (10, 3)):
+        m = Model(gravity=(0, 0, -9.81))
+        m.point("O", (0, 0, 0), fixed=True)
+        m.point("A", arm)
+        m.frame("R")
+        m.body_point("arm", "O", "R", "A")
+        m.body("b", "A", "R", mass=mass, inertia=(0.02, 0.02, 0.004), offset=(0.02, 0.02, 0.1))
+        centre = arm + (0.02, 0.02, 0.1)
+        found = m.build().equilibrium(stable=True)["A.z"]
+        assert found == pytest.approx(-(arm @ centre) / np.linalg.norm(centre), rel=1e-9)
+
+
 def test_every_unstable_motion_is_counted() -> None:
     with pytest.warns(UnstableWarning, match="unstable in 3 independent"):
         hanging((0, 1), (0, 2), (0, 3)).equilibrium()
