@@ -1,5 +1,6 @@
 """The campaign's own pieces: the oracle against closed forms, what a wrong twin leads to, printed programs."""
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -113,6 +114,24 @@ def test_a_wrong_twin_fails_and_is_shrunk_to_a_short_program(monkeypatch: pytest
 def test_a_refused_model_fails_unless_it_is_singular() -> None:
     broken = PENDULUM.having(declared("independent", "P.x"))  # the extreme of P.x: the rod is drawn along x
     assert [name for name, _, _ in judged(broken).failures] == ["build"]
+
+
+def test_a_refused_position_fails_unless_the_model_turns_back_before_it(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    beyond = replace(PENDULUM, offsets=(2 * LENGTH,))
+    assert not judged(beyond).failures
+    assert judged(beyond).skipped == {"build": "refused by flexel, and beyond where the model turns back"}
+    within, state_at = replace(PENDULUM, offsets=(0.5 * LENGTH,)), fx.System.state_at
+
+    def refusing(self: fx.System, values: Any, *others: Any) -> fx.State:
+        if max(map(abs, values.values())) > 0.4 * LENGTH:
+            raise fx.PositionError("refused")
+        return state_at(self, values, *others)
+
+    assert not judged(within).failures
+    monkeypatch.setattr(fx.System, "state_at", refusing)
+    assert [name for name, _, _ in judged(within).failures] == ["build"]
 
 
 @pytest.mark.parametrize("case", [PENDULUM.having(declared("load", "P", (fx.Harmonic(3.0, 2.0), 1.0)))])

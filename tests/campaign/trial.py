@@ -1,6 +1,7 @@
 """A case with everything that its properties share: the system, a state, the oracle and its answer."""
 
 from collections.abc import Callable, Hashable
+from dataclasses import replace
 from functools import cached_property
 from typing import Any, TypeVar
 
@@ -14,6 +15,7 @@ from campaign.parts import twins_of
 from flexel.base.arrays import Array
 
 Made = TypeVar("Made")
+STRETCH = 1e-3  # of the offsets, over which it is seen how coordinates turn back
 ACCURATE = {"rtol": 1e-10, "atol": 1e-12}  # of motions that are compared with each other
 
 
@@ -55,6 +57,31 @@ class Trial:
         if self.drawn.singular or change_point:
             return True
         return "start" in self.__dict__ and (self.answer.singular or self.ends_singular)
+
+    @cached_property
+    def beyond_reach(self) -> bool:
+        """Whether the offsets lead beyond where the model turns back, such as a rod beyond its length.
+
+        Up to there, coordinates go with the square root of what is missing: over the last stretch they move by as much
+        as over the three stretches before, not by a third of it.
+        """
+        low, high = 0.0, 1.0
+        while high - low > 1e-3 * STRETCH:
+            middle = (low + high) / 2
+            low, high = (low, middle) if self._with(middle) is None else (middle, high)
+        last, before, first = (self._with(low - back * STRETCH) for back in (0, 1, 4))
+        if last is None or before is None or first is None:
+            return False
+        near, far = (float(np.linalg.norm(a - b)) for a, b in ((last, before), (before, first)))
+        return near > 2 / 3 * far
+
+    def _with(self, share: float) -> Array | None:
+        """All coordinates with a share of the offsets; None if flexel refuses them."""
+        offsets = tuple(share * offset for offset in self.case.offsets)
+        try:
+            return self.x(replace(self.case, offsets=offsets).start(self.system))
+        except fx.PositionError:
+            return None
 
     @cached_property
     def ends_singular(self) -> bool:

@@ -61,7 +61,11 @@ def judged(case: Case, properties: Sequence[Property] = PROPERTIES) -> Verdict:
         try:
             assert trial.start is not None
         except (fx.FlexelError, Warning) as error:
-            _refuse(verdict, trial, "build", error)
+            if isinstance(error, fx.PositionError) and case.offsets and trial.beyond_reach:
+                verdict.refused = str(error)
+                verdict.skipped["build"] = "refused by flexel, and beyond where the model turns back"
+            else:
+                _refuse(verdict, trial, "build", error)
             return verdict
         for check in properties:
             _hold(verdict, trial, check)
