@@ -22,7 +22,7 @@ from flexel.model.state import State
 from flexel.statics.equilibrium import MAX_STEP, STALLED_TOLERANCE, TOLERANCE, Equations, Rest
 from flexel.statics.growth import growing_motions
 from flexel.statics.rest_check import unbalanced
-from flexel.statics.search import Search
+from flexel.statics.search import MAX_NULL_SPACE_SIZE, Search
 from flexel.statics.settling import descend, unstable_motions, way_out
 from flexel.system import CoreSystem
 
@@ -265,7 +265,7 @@ def _follow(problem: Rest, curve: LoadPath) -> FoundPath:
         first = point_at(curve, np.append(curve.start, curve.begin), curve.first)
         passed.append(replace(first, unstable=found.unstable[0]))
         arc = follow(curve, passed[0], ends, ARCS, keep, finish)
-    except TangentError as error:
+    except (TangentError, ModelError) as error:
         found.message = (
             f"the path stopped{problem.when(states[-1].t)} after {len(states)} equilibria: {error}"
         )
@@ -294,7 +294,7 @@ class LoadPath:
     """
 
     tolerance, stalled, further = TOLERANCE, STALLED_TOLERANCE, 1
-    retried: tuple[type[Exception], ...] = ()
+    retried: tuple[type[Exception], ...] = (ModelError,)  # beyond the times of a load, which may be a table
 
     def __init__(
         self, problem: Rest, start: State, mu: Array, times: tuple[float, float], push: Array | None = None
@@ -305,6 +305,8 @@ class LoadPath:
         rest = problem.equations(times[0], start.x, mu, start.e)
         self.unbalance, self.begin = (rest.residual, 0.0) if push is None else (push, 1.0)
         self.first = self._loaded(rest, self.begin)
+        small = len(rest.residual) <= MAX_NULL_SPACE_SIZE
+        self._free = small and rest.matrix.free_motion() is not None
         self._weights = np.concatenate([problem.x_scale**-2.0, np.zeros(mu.size), [1.0]])
 
     def _loaded(self, rest: Equations, p: float) -> Loaded:
@@ -324,13 +326,18 @@ class LoadPath:
         return self.problem.size(equations.rest, equations.residual)
 
     def solve(self, equations: Loaded) -> Array:
-        """Return the solutions for the residual and for its derivative by the parameter."""
-        both = np.column_stack([equations.residual, equations.rate])
-        return np.asarray(equations.rest.matrix.solve(both))
+        """Return the solutions for the residual and for its derivative by the parameter.
+
+        They leave out motions that nothing resists, such as that of a cart on its rails, if there are any at the start.
+        """
+        matrix, both = equations.rest.matrix, np.column_stack([equations.residual, equations.rate])
+        if self._free:
+            return np.column_stack([matrix.least_solution(column)[0] for column in both.T])
+        return np.asarray(matrix.solve(both))
 
     def sign(self, equations: Loaded) -> int:
-        """Return the sign of the determinant of the tangent."""
-        return equations.rest.matrix.factors.sign
+        """Return the sign of the determinant of the tangent; zero if it is one of rounding errors."""
+        return 0 if self._free else equations.rest.matrix.factors.sign
 
     def unstable(self, equations: Loaded) -> int | None:
         """Return the number of motions in which an equilibrium is unstable."""

@@ -144,3 +144,62 @@ def test_a_path_begins_in_equilibrium() -> None:
         fx.PositionError, match=r"start is not in equilibrium: 0\.1 N on 'B\.y' is not balanced"
     ):
         s.static_path(s.at_rest, t_end=1.0)
+
+
+def test_a_path_that_leads_out_of_a_table_keeps_what_was_found() -> None:
+    """Beyond its limit load an arch of two bars has to be pulled back up, for which the table has no forces."""
+    m = fx.Model(gravity=(0, 0))
+    m.point("L", (-1, 0), fixed=True)
+    m.point("R", (1, 0), fixed=True)
+    m.point("T", (0, 0.1))
+    m.fix("T.x")
+    m.truss("a", "L", "T", stiffness=1000.0)
+    m.truss("b", "R", "T", stiffness=1000.0)
+    m.load("T.y", fx.Table([0, 1], [0, -1.0], kind="linear"))
+    with pytest.warns(
+        fx.IncompleteWarning, match=r"path stopped at .* load on 'T.y': Table: .*extend the table"
+    ):
+        path = m.build().static_path(t_end=1.0)
+    length = np.hypot(1, path["T.y"])
+    np.testing.assert_allclose(
+        path.t, 2000 * (np.hypot(1, 0.1) / length - 1) * path["T.y"], rtol=0, atol=1e-9
+    )
+    assert np.max(path.t) == pytest.approx(0.3826, abs=1e-3)
+    assert path["T.y"][-1] == pytest.approx(0.0, abs=1e-6)  # where the bars are straight, no force acts
+
+
+def test_a_pendulum_that_turns_freely_swings_out_on_a_path() -> None:
+    m = fx.Model(gravity=(0, 0, -9.81))
+    m.point("O", (0, 0, 0), fixed=True)
+    m.point("A", (0.1, 0.02, -0.3))
+    m.frame("R")
+    m.body_point("arm", "O", "R", "A")
+    m.body("b", "A", "R", mass=0.5, inertia=(0.02, 0.02, 0.004))
+    m.load("A.x", fx.Table([0, 1], [0, 3.0], kind="linear"))
+    path, length = m.build().static_path(t_end=1.0), np.linalg.norm((0.1, 0.02, 0.3))
+    assert path.t[-1] == 1.0 and not path.message
+    np.testing.assert_allclose(path["A.x"] / path["A.z"], -3 * path.t / (0.5 * 9.81), rtol=0, atol=1e-12)
+    np.testing.assert_allclose(np.hypot(path["A.x"], path["A.z"]), length, rtol=1e-12)
+
+
+def test_what_carries_loads_on_a_path_may_roll_freely() -> None:
+    """Nothing resists a motion of the wagon along its rails, and no force acts there."""
+    m = fx.Model(gravity=(0, -9.81))
+    m.point("A", (0, 0))
+    m.point("B", (0.5, 0))
+    m.point("P", (0.2, 1.0))
+    m.fix("A.y", "B.y")
+    m.truss("frame", "A", "B")
+    m.truss("a", "A", "P", stiffness=1000.0)
+    m.truss("b", "B", "P", stiffness=1000.0)
+    m.point_mass("load", "P", 1.0)
+    m.load("P.y", fx.Table([0, 1], [0, -30.0], kind="linear"))
+    s = m.build()
+    path = s.static_path(t_end=1.0)
+    assert path.t[-1] == 1.0 and not path.message
+    for state in path:
+        weight = 9.81 + 30 * state.t
+        assert state.force("A.y") + state.force("B.y") == pytest.approx(weight, rel=1e-9)
+    end = s.equilibrium(t=1.0)
+    for name in ("a.elongation", "b.elongation"):
+        assert path[-1][name] == pytest.approx(end[name], rel=1e-12)
