@@ -100,14 +100,19 @@ def pick(kinematics: Kinematics, J: Array, space: Array, exclude: Index) -> Inde
     heavy = heaviness(kinematics, rows)
     weight = preferences(kinematics, rows) * heavy * earliness(rows.size)
     first = structure.m + structure.k
-    scales = kinematics.scales(slice(first, first + structure.nf))[:, None]
-    own, _ = np.linalg.qr(space / scales)  # orthonormal in natural scales, so that units do not matter
-    S = (J[rows, : structure.nf] @ (scales * own)) * weight[:, None]
+    scales = kinematics.scales(slice(first, first + structure.nf))
+    own = scales[:, None] * in_natural_scales(space, scales)
+    S = (J[rows, : structure.nf] @ own) * weight[:, None]
     _, R, pivots = qr(S.T, mode="economic", pivoting=True)
     independent = np.abs(np.diag(R)) / heavy[pivots[: len(R)]]
     if independent.size < space.shape[1] or independent.min() < 1e-9 * independent.max():
         raise ConstraintError(SINGULAR)
     return np.sort(rows[pivots[: space.shape[1]]])
+
+
+def in_natural_scales(space: Array, scales: Array) -> Array:
+    """Return a basis (n, r) of the same velocities that is orthonormal in natural scales: units do not matter."""
+    return np.asarray(np.linalg.qr(space / scales[:, None])[0])
 
 
 def named_dofs(structure: Structure, names: Sequence[str] | None, owner: str) -> Index | None:
@@ -265,9 +270,10 @@ def _left_free(kinematics: Kinematics, J: Any, rows: Index) -> Index:
     for block in parts:
         space, _ = null_space(block.matrix, block.columns.size)
         if space.shape[1]:
-            weight = earliness(block.columns.size) / kinematics.scales(first + block.columns)
+            weight = earliness(block.columns.size)
             weight[np.isin(first + block.columns, block.rows)] = 0.0
-            pivots = qr((space * weight[:, None]).T, mode="economic", pivoting=True)[2]
+            own = in_natural_scales(space, kinematics.scales(first + block.columns))
+            pivots = qr((own * weight[:, None]).T, mode="economic", pivoting=True)[2]
             chosen.append(first + block.columns[pivots[: space.shape[1]]])
     return np.sort(np.concatenate(chosen))
 

@@ -35,7 +35,21 @@ def rope(metre: float) -> fx.Model:
     return m
 
 
-@pytest.mark.parametrize("model", [chain, rope])
+def arms(metre: float) -> fx.Model:
+    """A chain of 120 arms in space, a large model, whose degrees of freedom are chosen part by part."""
+    m, rng = fx.Model(), np.random.default_rng(3)
+    m.point("P0", (0, 0, 0), fixed=True)
+    m.frame("R0", fixed=True)
+    for i in range(1, 121):
+        m.frame(f"R{i}")
+        m.point(f"P{i}", tuple(0.1 * metre * i * np.array([1.0, 0.1 * (i % 3), 0.05 * (i % 2)])))
+        m.hinge(f"h{i}", f"R{i - 1}", f"R{i}", axis=tuple(rng.normal(size=3)))
+        m.body_point(f"a{i}", f"P{i - 1}", f"R{i}", f"P{i}")
+        m.body(f"b{i}", f"P{i}", f"R{i}", mass=1.0, inertia=(0.01 * metre**2,) * 3)
+    return m
+
+
+@pytest.mark.parametrize("model", [chain, rope, arms])
 def test_the_choice_is_the_same_in_any_unit(model: Callable[[float], fx.Model]) -> None:
     found = {unit: model(metre).build().dynamic for unit, metre in METRE.items()}
     assert found["mm"] == found["m"] == found["km"]
