@@ -100,7 +100,9 @@ def equilibrium(
 
 
 @in_one_thread
-def static_path(system: CoreSystem, start: State | None = None, *, t_end: float) -> Motion:
+def static_path(
+    system: CoreSystem, start: State | None = None, *, t_end: float, hold: Sequence[str] = ()
+) -> Motion:
     """Compute equilibria as time, the load parameter, goes to `t_end`; limit points are passed by arc length.
 
     The bristles of contacts follow the slip from one equilibrium to the next.
@@ -111,25 +113,30 @@ def static_path(system: CoreSystem, start: State | None = None, *, t_end: float)
         A state of equilibrium; by default that near the initial configuration, as `equilibrium` finds it.
     t_end : float
         Time [s] at the end of the path, different from that of the start.
+    hold : sequence of str
+        Coordinates and deformations held at their values in `start`, as in `equilibrium`.
 
     Raises
     ------
     ModelError
-        If `t_end` is not a number or is the time of the start.
-    PositionError, DynamicsError
+        If `t_end` is not a number or is the time of the start; if a name to be held is unknown, or is held, prescribed
+        or fixed already.
+    PositionError
         If the start is not in equilibrium.
+    DynamicsError
+        If a force acts along a motion that nothing resists; names it.
 
     Warns
     -----
     IncompleteWarning
         If the path cannot be continued: the states so far are returned, and ``message`` says where and why it
-        stopped.
+        stopped: at a limit, or where a load has no value, as before the first time of a table.
     UnstableWarning
         If the path becomes unstable where others branch off, as that of a perfect column that buckles. ``verdict`` says
         how many equilibria are unstable.
     """
     given = None if start is None else own_state(system.structure, start, "static_path")
-    along = load_path.static_path(system, t_end, load_path.balanced_start(system, given))
+    along = load_path.static_path(system, t_end, given, hold)
     if along.message:
         warnings.warn(along.message, IncompleteWarning, stacklevel=outside())
     if along.branches:

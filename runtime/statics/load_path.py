@@ -22,7 +22,7 @@ from flexel.model.state import State
 from flexel.statics.equilibrium import MAX_STEP, STALLED_TOLERANCE, TOLERANCE, Equations, Rest
 from flexel.statics.growth import growing_motions
 from flexel.statics.rest_check import unbalanced
-from flexel.statics.search import MAX_NULL_SPACE_SIZE, Search
+from flexel.statics.search import MAX_NULL_SPACE_SIZE, Search, without_free_motions
 from flexel.statics.settling import descend, unstable_motions, way_out
 from flexel.system import CoreSystem
 
@@ -30,6 +30,8 @@ log = logging.getLogger("flexel.statics")
 ARCS = Arcs(first=0.1, largest=0.5, smallest=1e-7, steps=2000)
 MOST_PUSH = 20.0  # forces that push, over those that would move the model by its size at the start
 MOST_LEFT = 10  # unstable equilibria that are left, one after another
+MISSED = 1e-6  # share of a load that acts along free motions by rounding errors alone
+UNRESISTING = 1e-10  # stiffness, over the largest, of what counts as free
 DISPLACED = 0.1  # displacement, in natural scales, from which a model descends
 
 
@@ -78,7 +80,7 @@ def equilibrium(
     system: CoreSystem, t: float | None, start: State, hold: Sequence[str] = (), *, stable: bool = False
 ) -> FoundEquilibrium:
     """Find the state of rest in which all forces balance; see `System.equilibrium`."""
-    held = _held(system, hold)
+    held = _held(system, hold, "equilibrium")
     problem = Rest(system, start, held)
     t = start.t if t is None else number(t, "equilibrium", "time t")
     q, mu = _balanced(problem, t, start)
@@ -182,10 +184,10 @@ def _again(problem: Rest, state: State) -> tuple[Equations, Array]:
     return problem.equations(state.t, state.x, mu, state.e), mu
 
 
-def _held(system: CoreSystem, hold: Sequence[str]) -> Index:
+def _held(system: CoreSystem, hold: Sequence[str], owner: str) -> Index:
     """Return the quantities to be held, without duplicates."""
     structure, roles, first = system.structure, system.roles, system.structure.m + system.structure.k
-    found = [structure.find(name, "equilibrium: hold") for name in names(hold, "equilibrium: hold")]
+    found = [structure.find(name, f"{owner}: hold") for name in names(hold, f"{owner}: hold")]
     for name, i in zip(hold, found, strict=True):
         if (
             structure.m <= i < first
@@ -194,12 +196,23 @@ def _held(system: CoreSystem, hold: Sequence[str]) -> Index:
             or i in roles.kinematic
         ):
             raise ModelError(
-                f"equilibrium: '{name}' cannot be held: it is a slip, or fixed, rigid, prescribed or held; drop it"
+                f"{owner}: '{name}' cannot be held: it is a slip, or fixed, rigid, prescribed or held; drop it"
             )
     return np.array(found, dtype=np.intp)
 
 
-def balanced_start(system: CoreSystem, start: State | None) -> State:
+def static_path(system: CoreSystem, t_end: float, start: State | None, hold: Sequence[str] = ()) -> FoundPath:
+    """Follow equilibria to the time `t_end`, which is the load parameter; see `System.static_path`."""
+    end = number(t_end, "static_path", "t_end")
+    held = _held(system, hold, "static_path")
+    first = _balanced_start(system, start, held, hold)
+    if end == first.t:
+        raise ModelError(f"static_path: t_end is the time of the start, {end:g} s; give another time")
+    problem = Rest(system, first, held)
+    return _follow(problem, LoadPath(problem, first, problem.multipliers(first), (first.t, end)))
+
+
+def _balanced_start(system: CoreSystem, start: State | None, held: Index, hold: Sequence[str]) -> State:
     """Return the start of a path: that of the user, or the equilibrium near the initial configuration.
 
     Raises
@@ -208,24 +221,15 @@ def balanced_start(system: CoreSystem, start: State | None) -> State:
         If the user's is not in equilibrium; names the largest unbalanced force.
     """
     state = system.at_rest if start is None else start
-    problem = Rest(system, state)
+    problem = Rest(system, state, held)
     force = unbalanced(problem, problem.equations(state.t, state.x, problem.multipliers(state), state.e))
     if not force:
         return state
     if start is None:
-        return equilibrium(system, None, state).state
+        return equilibrium(system, None, state, hold).state
     raise PositionError(
         f"static_path: the start is not in equilibrium: {force}; give the state of system.equilibrium()"
     )
-
-
-def static_path(system: CoreSystem, t_end: float, start: State) -> FoundPath:
-    """Follow equilibria from `start` to the time `t_end`, which is the load parameter; see `System.static_path`."""
-    problem = Rest(system, start)
-    end = number(t_end, "static_path", "t_end")
-    if end == start.t:
-        raise ModelError(f"static_path: t_end is the time of the start, {end:g} s; give another time")
-    return _follow(problem, LoadPath(problem, start, problem.multipliers(start), (start.t, end)))
 
 
 def _follow(problem: Rest, curve: LoadPath) -> FoundPath:
@@ -326,14 +330,22 @@ class LoadPath:
         return self.problem.size(equations.rest, equations.residual)
 
     def solve(self, equations: Loaded) -> Array:
-        """Return the solutions for the residual and for its derivative by the parameter.
+        """Return the solutions for the residual and for its derivative by the parameter."""
+        both = np.column_stack([equations.residual, equations.rate])
+        if not self._free:
+            return np.asarray(equations.rest.matrix.solve(both))
+        return np.column_stack([self._solution(equations.rest, column) for column in both.T])
 
-        They leave out motions that nothing resists, such as that of a cart on its rails, if there are any at the start.
+    def _solution(self, rest: Equations, rhs: Array) -> Array:
+        """Solve without motions that nothing resists, such as that of a cart on its rails.
+
+        If something does after a while (a string that is pulled aside), the path begins along them.
         """
-        matrix, both = equations.rest.matrix, np.column_stack([equations.residual, equations.rate])
-        if self._free:
-            return np.column_stack([matrix.least_solution(column)[0] for column in both.T])
-        return np.asarray(matrix.solve(both))
+        smallest, missed = without_free_motions(self.problem, rest.balance.t, rest, rhs, MISSED)
+        if missed.any():
+            motions = rest.matrix.free_motions()
+            smallest[: self.nf] += motions @ (motions.T @ missed[: self.nf]) / (UNRESISTING * rest.stiffness)
+        return smallest
 
     def sign(self, equations: Loaded) -> int:
         """Return the sign of the determinant of the tangent; zero if it is one of rounding errors."""

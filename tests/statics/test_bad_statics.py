@@ -23,6 +23,13 @@ STATICS = {
     "at a text": Case(lambda: strut().equilibrium(t="a"), ("time t", "give real")),
     "path to a text": Case(lambda: strut().static_path(t_end="a"), ("t_end", "give real")),
     "path to nowhere": Case(lambda: strut().static_path(t_end=0.0), ("t_end", "give another")),
+    "path that holds a text": Case(
+        lambda: strut().static_path(t_end=1.0, hold="A.x"), ("static_path: hold", "write ['…'")
+    ),
+    "path that holds a support": Case(
+        lambda: strut().static_path(t_end=1.0, hold=["O.x"]),
+        ("static_path: 'O.x'", "cannot be held", "drop it"),
+    ),
     "buckling without load": Case(lambda: strut().buckling(increment={}), ("buckling", "name at least one")),
     "buckling under no load": Case(
         lambda: strut().buckling(increment={"A.x": 0.0}), ("buckling", "name at least")

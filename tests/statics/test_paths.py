@@ -203,3 +203,46 @@ def test_what_carries_loads_on_a_path_may_roll_freely() -> None:
     end = s.equilibrium(t=1.0)
     for name in ("a.elongation", "b.elongation"):
         assert path[-1][name] == pytest.approx(end[name], rel=1e-12)
+
+
+def pulled(load: str) -> fx.System:
+    """A wagon of 50 kg on its rails with 100 kg on a rope of four parts; a force grows to 50 N in one second."""
+    m = fx.Model(gravity=(0, 0, -9.81))
+    m.point("W", (0, 0, 3))
+    m.fix("W.y", "W.z")
+    for i, upper in enumerate(("W", "P0", "P1", "P2")):
+        m.point(f"P{i}", (0, 0, 2.5 - 0.5 * i))
+        m.truss(f"part{i}", upper, f"P{i}", stiffness=1e5)
+    m.point_mass("hook", "P3", 100.0)
+    m.point_mass("wagon", "W", 50.0)
+    m.load(load, fx.Table([0, 1], [0, 50.0], kind="linear"))
+    return m.build()
+
+
+def test_a_load_along_a_free_motion_is_named_and_can_be_held() -> None:
+    s = pulled("P3.x")
+    with pytest.raises(
+        fx.DynamicsError, match=r"nothing resists a motion of '[WP].*x'; support it, or give hold="
+    ):
+        s.static_path(t_end=1.0)
+    path = s.static_path(t_end=1.0, hold=["W.x"])
+    assert path.t[-1] == 1.0 and not path.message
+    for state in path:
+        assert state.drive("W.x") == pytest.approx(-50.0 * state.t, abs=1e-9)
+        assert state["W.x"] == pytest.approx(0.0, abs=1e-12)
+    assert path[-1]["P3.x"] / (3 - path[-1]["P3.z"]) == pytest.approx(50 / 981, rel=1e-9)
+
+
+def test_a_path_begins_along_a_motion_that_something_resists_later() -> None:
+    """A string without tension carries nothing across until it is pulled aside; closed form."""
+    m = fx.Model(gravity=(0, 0))
+    m.point("A", (0, 0), fixed=True)
+    m.point("B", (1, 0), fixed=True)
+    m.point("P", (0.5, 0))
+    m.truss("a", "A", "P", stiffness=2000.0)
+    m.truss("b", "P", "B", stiffness=2000.0)
+    m.load("P.y", fx.Table([0, 1], [0, -5.0], kind="linear"))
+    path = m.build().static_path(t_end=1.0)
+    y, length = path["P.y"], np.hypot(0.5, path["P.y"])
+    assert path.t[-1] == 1.0 and y[-1] < -0.08
+    np.testing.assert_allclose(5 * path.t, -4000 * (length - 0.5) * y / length, rtol=0, atol=1e-9)
