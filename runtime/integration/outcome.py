@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from bisect import bisect_left
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
@@ -206,7 +207,7 @@ class Integration:
 
         The last state is always kept.  `energy_terms` keeps the energy with which the motion began, as "initial".
         """
-        first = min(int(np.searchsorted(self.states.times, t)), len(self.states) - 1)
+        first = min(bisect_left(self.states.times, t), len(self.states) - 1)
         if first <= 0:
             return self
         kept = {name: column[first:] for name, column in (self.energy_terms or {}).items()}

@@ -14,6 +14,8 @@ def fallen(structure: Structure, times: Sequence[float], x: Array) -> Iterator[s
     """Describe wheels whose hub is above the road at first, and below it at a later stored time, for x (times, n)."""
     wheels, matrix = structure.wheels
     heights = matrix @ x.T
+    if heights.min(initial=0.0) >= 0:
+        return
     for wheel, height in zip(wheels, heights, strict=True):
         if height.min() < 0 < height[0]:
             t = times[int(np.argmax(height < 0))]

@@ -33,8 +33,8 @@ def pulling(structure: Structure, roles: Roles, states: States, evaluations: int
     evaluations : int
         Number of evaluations of the equations of motion that the motion has taken.
     """
-    places = [row for row, kind in enumerate(structure.kinds) if kind == "touch"]
-    if not places:
+    places = structure.touching
+    if not places.size:
         return
     looked = states.complete_and(max(LEAST_LOOKS, evaluations // EVALUATIONS_PER_LOOK))
     forces = np.array([_forces(entry)[places] for entry in looked])

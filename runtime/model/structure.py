@@ -108,6 +108,11 @@ class Structure(Constant):
         return tuple(i for i, d in enumerate(specs) if d.kinked)
 
     @cached_property
+    def touching(self) -> Index:
+        """Deformations that are heights of contacts which are never lost."""
+        return np.flatnonzero([kind == "touch" for kind in self.kinds])
+
+    @cached_property
     def wheels(self) -> tuple[tuple[Instance, ...], Array]:
         """Elements that keep their last node on a road below their first; the matrix gives these heights from x."""
         named = {"axle", "normal"}
