@@ -16,7 +16,6 @@ from flexel.base.arguments import names, number
 from flexel.base.arrays import Array, Index
 from flexel.base.errors import DynamicsError, FlexelError, ModelError, PositionError
 from flexel.base.shown import counted, quoted
-from flexel.engine.finite import TangentError
 from flexel.mechanics.arclength import Arcs, CurvePoint, corrected, follow, point_at
 from flexel.model.state import State
 from flexel.statics.equilibrium import MAX_STEP, STALLED_TOLERANCE, TOLERANCE, Equations, Rest
@@ -235,7 +234,7 @@ def _balanced_start(system: CoreSystem, start: State | None, held: Index, hold: 
 def _follow(problem: Rest, curve: LoadPath) -> FoundPath:
     """Follow equilibria by arc length until p is 1 and no forces remain.
 
-    If the end was not reached, there is a message with the place and the reason.
+    If the end was not reached, there is a message with the place and the reason; errors at the start are raised.
     """
     t0, t1 = curve.times
     found = FoundPath([problem.state(curve.first.rest.balance)], [curve.unstable(curve.first)])
@@ -269,7 +268,9 @@ def _follow(problem: Rest, curve: LoadPath) -> FoundPath:
         first = point_at(curve, np.append(curve.start, curve.begin), curve.first)
         passed.append(replace(first, unstable=found.unstable[0]))
         arc = follow(curve, passed[0], ends, ARCS, keep, finish)
-    except (TangentError, ModelError) as error:
+    except (DynamicsError, ModelError) as error:
+        if len(states) == 1:
+            raise
         found.message = (
             f"the path stopped{problem.when(states[-1].t)} after {len(states)} equilibria: {error}"
         )

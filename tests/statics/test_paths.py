@@ -205,8 +205,8 @@ def test_what_carries_loads_on_a_path_may_roll_freely() -> None:
         assert path[-1][name] == pytest.approx(end[name], rel=1e-12)
 
 
-def pulled(load: str) -> fx.System:
-    """A wagon of 50 kg on its rails with 100 kg on a rope of four parts; a force grows to 50 N in one second."""
+def pulled(pull: fx.Table) -> fx.System:
+    """A wagon of 50 kg on its rails with 100 kg on a rope of four parts, pulled along the rails."""
     m = fx.Model(gravity=(0, 0, -9.81))
     m.point("W", (0, 0, 3))
     m.fix("W.y", "W.z")
@@ -215,12 +215,12 @@ def pulled(load: str) -> fx.System:
         m.truss(f"part{i}", upper, f"P{i}", stiffness=1e5)
     m.point_mass("hook", "P3", 100.0)
     m.point_mass("wagon", "W", 50.0)
-    m.load(load, fx.Table([0, 1], [0, 50.0], kind="linear"))
+    m.load("P3", (pull, 0, lambda t: -100 * t))
     return m.build()
 
 
 def test_a_load_along_a_free_motion_is_named_and_can_be_held() -> None:
-    s = pulled("P3.x")
+    s = pulled(fx.Table([0, 1], [0, 50.0], kind="linear"))
     with pytest.raises(
         fx.DynamicsError, match=r"nothing resists a motion of '[WP].*x'; support it, or give hold="
     ):
@@ -230,7 +230,13 @@ def test_a_load_along_a_free_motion_is_named_and_can_be_held() -> None:
     for state in path:
         assert state.drive("W.x") == pytest.approx(-50.0 * state.t, abs=1e-9)
         assert state["W.x"] == pytest.approx(0.0, abs=1e-12)
-    assert path[-1]["P3.x"] / (3 - path[-1]["P3.z"]) == pytest.approx(50 / 981, rel=1e-9)
+    assert path[-1]["P3.x"] / (3 - path[-1]["P3.z"]) == pytest.approx(50 / 1081, rel=1e-9)
+    late = pulled(fx.Table([0, 0.5, 1], [0, 0, 50.0], kind="linear"))
+    with pytest.warns(
+        fx.IncompleteWarning, match=r"path stopped at .* nothing resists a motion of '[WP].*x'"
+    ):
+        path = late.static_path(t_end=1.0)
+    assert 0 < path.t[-1] <= 0.5
 
 
 def test_a_path_begins_along_a_motion_that_something_resists_later() -> None:
