@@ -18,8 +18,8 @@ from flexel.engine.workspace import Workspace
 from flexel.mechanics.diagnose import largest
 from flexel.model.structure import Structure
 
+MOST_DENSE = 500  # unknowns of a matrix whose singular values are computed
 CONSISTENT = 1e-10  # singular values, relative to the largest, that a least-squares solution treats as zero
-ROUNDING = 1e-13  # singular values, relative to the largest, that count as rounding errors of zero
 
 
 class SaddlePattern:
@@ -131,14 +131,21 @@ class Matrix:
     def free_motion(self) -> Array | None:
         """Return a motion (nf,) of the coordinates that a singular matrix maps to zero; None if there is none."""
         found = null_vector(self.sparse)
-        motion = None if found is None else found[: self.structure.nf]
-        return motion if motion is not None and np.any(motion) else None  # otherwise undetermined multipliers
+        if found is not None:
+            motion = found[: self.structure.nf]
+            return motion if np.any(motion) else None  # otherwise undetermined multipliers
+        if self.factors.regular or len(self.sparse.indptr) > MOST_DENSE:
+            return None
+        motions = (
+            self.free_motions()
+        )  # where wheels roll, forces act along other motions than those that are free
+        return motions[:, 0] if motions.size else None
 
     def free_motions(self) -> Array:
         """Return orthonormal motions (nf, r) of the coordinates that the matrix maps to zero, up to rounding errors."""
         A, scale = self._scaled()
         _, sizes, rows = np.linalg.svd(A)
-        motions = (scale * rows[sizes <= ROUNDING * (sizes.max(initial=0.0) or 1.0)])[
+        motions = (scale * rows[sizes <= CONSISTENT * (sizes.max(initial=0.0) or 1.0)])[
             :, : self.structure.nf
         ].T
         basis, lengths, _ = np.linalg.svd(motions, full_matrices=False)

@@ -21,7 +21,7 @@ from flexel.model.state import State
 from flexel.statics.equilibrium import MAX_STEP, STALLED_TOLERANCE, TOLERANCE, Equations, Rest
 from flexel.statics.growth import growing_motions
 from flexel.statics.rest_check import unbalanced
-from flexel.statics.search import MAX_NULL_SPACE_SIZE, Search, without_free_motions
+from flexel.statics.search import MAX_NULL_SPACE_SIZE, Search, heaviest
 from flexel.statics.settling import descend, unstable_motions, way_out
 from flexel.system import CoreSystem
 
@@ -31,7 +31,10 @@ MOST_PUSH = 20.0  # forces that push, over those that would move the model by it
 MOST_LEFT = 10  # unstable equilibria that are left, one after another
 MISSED = 1e-6  # share of a load that acts along free motions by rounding errors alone
 UNRESISTING = 1e-10  # stiffness, over the largest, of what counts as free
-DISPLACED = 0.1  # displacement, in natural scales, from which a model descends
+RETURNED = 0.1  # share of a displacement that may be left where something resists
+DISPLACED = (
+    0.1  # displacement, in natural scales, from which a model descends, or returns if something resists
+)
 
 
 @dataclass
@@ -310,8 +313,8 @@ class LoadPath:
         rest = problem.equations(times[0], start.x, mu, start.e)
         self.unbalance, self.begin = (rest.residual, 0.0) if push is None else (push, 1.0)
         self.first = self._loaded(rest, self.begin)
-        small = len(rest.residual) <= MAX_NULL_SPACE_SIZE
-        self._free = small and rest.matrix.free_motion() is not None
+        loaded = times[0] != times[1] and len(rest.residual) <= MAX_NULL_SPACE_SIZE
+        self._free = loaded and rest.matrix.free_motion() is not None
         self._weights = np.concatenate([problem.x_scale**-2.0, np.zeros(mu.size), [1.0]])
 
     def _loaded(self, rest: Equations, p: float) -> Loaded:
@@ -341,12 +344,35 @@ class LoadPath:
         """Solve without motions that nothing resists, such as that of a cart on its rails.
 
         If something does after a while (a string that is pulled aside), the path begins along them.
+
+        Raises
+        ------
+        DynamicsError
+            If the load acts along them, and nothing does.
         """
-        smallest, missed = without_free_motions(self.problem, rest.balance.t, rest, rhs, MISSED)
-        if missed.any():
-            motions = rest.matrix.free_motions()
-            smallest[: self.nf] += motions @ (motions.T @ missed[: self.nf]) / (UNRESISTING * rest.stiffness)
+        smallest, missed = rest.matrix.least_solution(rhs)
+        if self.problem.size(rest, missed) <= max(TOLERANCE, MISSED * self.problem.size(rest, rhs)):
+            return smallest
+        motions = rest.matrix.free_motions()
+        way = motions @ (motions.T @ missed[: self.nf])
+        if self.problem.extent(way):
+            self._check_resisted(rest, way)
+        smallest[: self.nf] += way / (UNRESISTING * rest.stiffness)
         return smallest
+
+    def _check_resisted(self, rest: Equations, way: Array) -> None:
+        """Raise if the model does not return when it is moved along a motion (nf,), under the same load."""
+        problem, balance = self.problem, rest.balance
+        moved = balance.x.copy()
+        moved[: self.nf] += DISPLACED / problem.extent(way) * way
+        found = Search(problem, balance.t).found(moved, balance.mu, balance.e)
+        if found is None or problem.extent(found[0].balance.x - balance.x) < RETURNED * DISPLACED:
+            return
+        name = problem.structure.names[problem.first + heaviest(problem, way)]
+        raise DynamicsError(
+            f"no path{problem.when(balance.t)}: the load acts where nothing resists a motion of '{name}'; support it, "
+            f"give hold=['{name}'], or start from an equilibrium under a part of the load, system.equilibrium(t=…)"
+        )
 
     def sign(self, equations: Loaded) -> int:
         """Return the sign of the determinant of the tangent; zero if it is one of rounding errors."""

@@ -135,56 +135,39 @@ class Search:
             if motion is not None:
                 log.info("nothing resists a motion of %s: steps without it", q.matrix.names_of(motion))
         if self._neutral:
-            smallest, missed = without_free_motions(self.problem, self.t, q, q.residual, MAX_MISSED_SHARE)
-            if not missed.any():
+            smallest, missed = q.matrix.least_solution(q.residual)
+            size = self.problem.size(q, missed)
+            if size <= max(TOLERANCE, MAX_MISSED_SHARE * self.problem.size(q, q.residual)):
                 return smallest
+            self._check_supported(q, missed[: self.nf])
         return q.matrix.solve(q.residual)
 
-
-def without_free_motions(
-    problem: Rest, t: float, q: Equations, rhs: Array, share: float
-) -> tuple[Array, Array]:
-    """Return the shortest step for a right-hand side, without motions that nothing resists, and what it misses.
-
-    What is missed is zero if it is a small share; otherwise something resists these motions after a while, such as a
-    string that is pulled aside.
-
-    Raises
-    ------
-    DynamicsError
-        If a force acts along a motion that nothing resists, however far it goes.
-    """
-    smallest, missed = q.matrix.least_solution(rhs)
-    if problem.size(q, missed) <= max(TOLERANCE, share * problem.size(q, rhs)):
-        return smallest, np.zeros(rhs.size)
-    _check_supported(problem, t, q, missed[: problem.structure.nf])
-    return smallest, missed
-
-
-def _check_supported(problem: Rest, t: float, q: Equations, missed: Array) -> None:
-    """Check that no force acts along a free motion, however far it goes."""
-    nf, first = problem.structure.nf, problem.first
-    motions = q.matrix.free_motions()
-    motion = motions @ (motions.T @ missed)
-    extent = problem.extent(motion)
-    if not extent:
-        return
-    motion *= SEARCH / extent
-    power, x = float(motion @ missed), q.balance.x.copy()
-    x[:nf] += motion
-    there = problem.equations(t, x, q.balance.mu, q.balance.e)
-    change = np.abs(there.residual - q.residual)[:nf].max()
-    same = change <= FORCE_TOLERANCE * np.abs(missed).max() + ROUNDING * np.abs(problem.free).max(initial=0.0)
-    if not (same and power > FORCE_TOLERANCE * float(np.linalg.norm(motion) * np.linalg.norm(missed))):
-        return
-    name = problem.structure.names[first + _heaviest(problem, motion)]
-    raise DynamicsError(
-        f"no equilibrium{problem.when(t)}: a force acts where nothing resists a motion of '{name}'; "
-        f"support it, or give hold=['{name}']{problem.unheld()}"
-    )
+    def _check_supported(self, q: Equations, missed: Array) -> None:
+        """Check that no force acts along a free motion, however far it goes."""
+        problem, nf, first = self.problem, self.nf, self.problem.first
+        motions = q.matrix.free_motions()
+        motion = motions @ (motions.T @ missed)
+        extent = problem.extent(motion)
+        if not extent:
+            return
+        motion *= SEARCH / extent
+        power, x = float(motion @ missed), q.balance.x.copy()
+        x[:nf] += motion
+        there = problem.equations(self.t, x, q.balance.mu, q.balance.e)
+        change = np.abs(there.residual - q.residual)[:nf].max()
+        same = change <= FORCE_TOLERANCE * np.abs(missed).max() + ROUNDING * np.abs(problem.free).max(
+            initial=0.0
+        )
+        if not (same and power > FORCE_TOLERANCE * float(np.linalg.norm(motion) * np.linalg.norm(missed))):
+            return
+        name = problem.structure.names[first + heaviest(problem, motion)]
+        raise DynamicsError(
+            f"no equilibrium{problem.when(self.t)}: a force acts where nothing resists a motion of '{name}'; "
+            f"support it, or give hold=['{name}']{problem.unheld()}"
+        )
 
 
-def _heaviest(problem: Rest, motion: Array) -> int:
+def heaviest(problem: Rest, motion: Array) -> int:
     """Return the coordinate with the largest mass among those that take most part in a motion (nf,)."""
     problem.work.tangent(0.0, 0.0, 1.0, phi=False)
     mass = problem.work.tables.T.pattern.matrix(problem.free).diagonal()
