@@ -136,9 +136,8 @@ class Matrix:
             return motion if np.any(motion) else None  # otherwise undetermined multipliers
         if self.factors.regular or len(self.sparse.indptr) > MOST_DENSE:
             return None
-        motions = (
-            self.free_motions()
-        )  # where wheels roll, forces act along other motions than those that are free
+        # where wheels roll, forces act along other motions than those that are free, which iterations do not find
+        motions = self.free_motions()
         return motions[:, 0] if motions.size else None
 
     def free_motions(self) -> Array:
