@@ -169,7 +169,8 @@ def buckling(
     ModelError
         If the increment is zero or names an unknown or fixed quantity.
     DynamicsError
-        If the state is already unstable, or under forces that have no potential, such as follower forces.
+        If the state is already unstable, or under forces that have no potential, such as follower forces; if the load
+        acts along a motion that nothing resists.
 
     Warns
     -----

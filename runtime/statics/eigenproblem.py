@@ -7,12 +7,12 @@ needed.  Forces without a potential, such as follower forces, make the stiffness
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from scipy.linalg import eig, eigh
-from scipy.sparse import block_array, block_diag, coo_array, csc_array
+from scipy.sparse import block_array, block_diag, coo_array, csc_array, csr_array, vstack
 from scipy.sparse.linalg import ArpackNoConvergence, LinearOperator, eigs, eigsh, splu
 
 from flexel.base.arrays import Array
@@ -78,6 +78,10 @@ class Pencil:
         """Set up the problem with the stiffness of the evaluated equations, and another matrix."""
         nf, A = problem.structure.nf, q.matrix.sparse.tocsr()
         return cls(A[:nf, :nf], M, A[:nf, nf:].T.tocsr(), q.matrix.names_of)
+
+    def beside(self, motions: Array) -> Pencil:
+        """Return the problem on what is orthogonal to some motions (nf, r)."""
+        return replace(self, C=csr_array(vstack([self.C, csr_array(motions.T)]))) if motions.size else self
 
     @property
     def size(self) -> int:

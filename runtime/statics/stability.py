@@ -7,7 +7,7 @@ needed.  Source: Besseling (1974) for buckling with generalized deformations.
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
 import numpy as np
@@ -31,12 +31,14 @@ from flexel.statics.eigenproblem import (
 from flexel.statics.equilibrium import Equations, Rest
 from flexel.statics.refining import parts
 from flexel.statics.rest_check import check_balance, check_rest
+from flexel.statics.search import MAX_NULL_SPACE_SIZE
 from flexel.system import CoreSystem
 
 _eigsh: Any = eigsh
 _eig: Any = eig
 # Imaginary part of an eigenvalue, relative to its magnitude, that is not a rounding error.
 COUPLED_TOLERANCE = 1e-6
+ALONG_FREE = 1e-9  # share of a load that acts along a motion by rounding errors alone
 
 
 @dataclass(frozen=True)
@@ -98,9 +100,14 @@ def buckling(
     if not np.any(load):
         raise ModelError("buckling: the load increment is zero; name at least one load, {'tip.z': -1.0}")
     check_balance("buckling", problem, q)
-    K1 = _by_load(problem, q, load)
+    free = _free_motions(q)
+    K1 = _by_load(problem, q, load, free)
+    if np.abs(K1 @ free).max(initial=0.0) > ALONG_FREE * abs(K1).max():
+        raise DynamicsError(
+            f"buckling: nothing resists a motion of {q.matrix.names_of(free[:, 0])}, and any load moves it; support it"
+        )
     try:
-        w, V = _largest(problem, q, K1, count)
+        w, V = _largest(problem, q, K1, count, free)
     except np.linalg.LinAlgError as error:
         raise DynamicsError(
             "buckling: the stiffness at this state is not positive definite: it has already buckled, or a motion is "
@@ -111,17 +118,37 @@ def buckling(
     return Listing(BucklingMode(float(multiplier), _shape(system, v)) for multiplier, v in modes[:count])
 
 
-def _by_load(problem: Rest, q: Equations, load: Array) -> Any:
+def _free_motions(q: Equations) -> Array:
+    """Return motions (nf, r) that nothing resists, such as the spin of a column between ball joints."""
+    if len(q.residual) > MAX_NULL_SPACE_SIZE or q.matrix.free_motion() is None:
+        return np.zeros((q.matrix.structure.nf, 0))
+    return q.matrix.free_motions()
+
+
+def _by_load(problem: Rest, q: Equations, load: Array, free: Array) -> Any:
     """Return the derivative (nf, nf) of the stiffness along the equilibria under growing loads, at the last evaluation.
 
     Parameters
     ----------
     load : ndarray (m + k + n,)
         Generalized forces on the quantities.
+    free : ndarray (nf, r)
+        Motions that nothing resists.
+
+    Raises
+    ------
+    DynamicsError
+        If the load acts along such a motion.
     """
     s, work, first = problem.structure, problem.work, problem.first
     nodal, change = load[first:] + work.vjp(load[:first]), np.zeros(s.n)
-    solution = q.matrix.solve(np.concatenate([nodal[: s.nf], np.zeros(problem.hold_rows.size)]))
+    forces = np.concatenate([nodal[: s.nf], np.zeros(problem.hold_rows.size)])
+    along = free[:, np.abs(free.T @ nodal[: s.nf]) > ALONG_FREE * np.abs(nodal).max()]
+    if along.size:
+        raise DynamicsError(
+            f"buckling: the load acts where nothing resists a motion of {q.matrix.names_of(along[:, 0])}; support it"
+        )
+    solution = q.matrix.least_solution(forces)[0] if free.size else q.matrix.solve(forces)
     change[: s.nf] = solution[: s.nf]
     left, right = np.divmod(work.tables.law.codes, max(first, 1))
     by_laws = work.S[: left.size] * work.jvp(change)[right]
@@ -217,8 +244,10 @@ def _lowest(problem: Rest, q: Equations, M: Any, count: int) -> tuple[Array, Arr
     return np.array([value for value, _ in found]), np.array([vector for _, vector in found]).T
 
 
-def _largest(problem: Rest, q: Equations, G: Any, count: int) -> tuple[Array, Array]:
+def _largest(problem: Rest, q: Equations, G: Any, count: int, free: Array) -> tuple[Array, Array]:
     """Compute the eigenvalues of G v = w K v of largest magnitude, and admissible vectors (nf, …).
+
+    Motions `free` (nf, r), which nothing resists, are left out.
 
     Raises
     ------
@@ -227,7 +256,7 @@ def _largest(problem: Rest, q: Equations, G: Any, count: int) -> tuple[Array, Ar
     DynamicsError
         If K or G is not symmetric.
     """
-    pencil = Pencil.of(problem, q, G)
+    pencil = Pencil.of(problem, q, G).beside(free)
     K, nf = pencil.K, pencil.size
     if nf <= MAX_DENSE_SIZE:
         Z = null_space(pencil.C.toarray(), nf)[0]
@@ -235,7 +264,7 @@ def _largest(problem: Rest, q: Equations, G: Any, count: int) -> tuple[Array, Ar
         w, V = eigh((load + load.T) / 2, (stiffness + stiffness.T) / 2)
         V = Z @ V
     else:
-        A, B, start = Pencil.of(problem, q, (G + G.T) / 2).bordered((K + K.T) / 2)
+        A, B, start = replace(pencil, M=(G + G.T) / 2).bordered((K + K.T) / 2)
         inverse = LinearOperator(A.shape, matvec=splu(A).solve, dtype=np.float64)
         w, V = _eigsh(B, min(count, nf - 2), M=A, Minv=inverse, which="LM", v0=inverse @ (B @ start))
         if np.any(np.einsum("ij,ij->j", V, A @ V) <= 0):

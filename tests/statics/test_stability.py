@@ -236,3 +236,27 @@ def test_a_very_large_column_with_a_rigid_bar_beside_it_is_unstable() -> None:
     m.spring("Z.x", 1.0)
     with pytest.warns(UnstableWarning):
         m.build().equilibrium()
+
+
+def ball_jointed(elements: int) -> System:
+    """Euler's column between ball joints, with nothing that keeps it from spinning about its axis."""
+    m = Model()
+    for i in range(elements + 1):
+        m.point(f"P{i}", (i / elements, 0, 0), fixed=i == 0)
+        m.frame(f"R{i}")
+    m.fix(f"P{elements}.y", f"P{elements}.z")
+    section = {"EA": 1e5, "GJ": 1.0, "EIy": 1.0, "EIz": 2.0}
+    for i in range(elements):
+        m.beam(f"b{i}", f"P{i}", f"R{i}", f"P{i + 1}", f"R{i + 1}", direction=(0, 1, 0), **section)
+    return m.build()
+
+
+@pytest.mark.parametrize("elements", [8, pytest.param(60, marks=pytest.mark.long)])
+def test_a_column_buckles_whether_or_not_it_may_spin(elements: int) -> None:
+    s = ball_jointed(elements)
+    found = [mode.multiplier for mode in s.buckling(increment={f"P{elements}.x": -1.0}, count=3)]
+    np.testing.assert_allclose(found, np.array([1, 2, 4]) * np.pi**2, rtol=2.4 / elements**4)
+    with pytest.raises(
+        DynamicsError, match=r"the load acts where nothing resists a motion of 'R\d+\.lambda1'"
+    ):
+        s.buckling(increment={"R0.lambda1": 1.0})
