@@ -73,7 +73,7 @@ class StiffnessParts:
     def refined(self, value: float, vector: Array) -> tuple[float, Array]:
         """Refine an eigenvalue and its vector (nf,) from approximations; return these if nothing can be gained.
 
-        Without laws, nothing is stiff.  A motion without stiffness keeps its eigenvalue, which is a rounding error.
+        Without laws, nothing is stiff.  The eigenvalue of a motion without stiffness, a rounding error, becomes zero.
         """
         if not self.S.nnz:
             return value, vector
@@ -86,6 +86,8 @@ class StiffnessParts:
             right = self._turned(A, factors, self.M @ right, "N")
             left = self._turned(A.T, factors, self.M.T @ left, "T")
         found = self.quotient(left, right)
+        if abs(found) <= MAX_CHANGE * abs(value):
+            return 0.0, vector
         return (found, right) if abs(found - value) <= MAX_CHANGE * abs(value) else (value, vector)
 
     def correction(self, residual: Array) -> Array | None:

@@ -141,6 +141,21 @@ def test_a_free_ring_has_six_motions_without_stiffness_and_pairs(n: int, R: floa
     assert np.allclose(found[6:], np.sort([plane, plane, across, across]), rtol=6 / n**2)
 
 
+def test_motions_of_a_free_beam_have_no_frequency() -> None:
+    """They had rounding errors, some of them negative as if unstable; closed form: (λL)² of a free beam."""
+    m, n = fx.Model(gravity=(0, 0, 0)), 12
+    for i in range(n + 1):
+        m.point(f"P{i}", (i / n, 0, 0))
+        m.frame(f"R{i}")
+    section = {"EA": 1e6, "GJ": 1.0, "EIy": 1.0, "EIz": 1.0}
+    mass = {"mass_per_length": 1.0, "inertia_per_length": (1e-4, 5e-5, 5e-5)}
+    for i in range(n):
+        m.beam(f"b{i}", f"P{i}", f"R{i}", f"P{i + 1}", f"R{i + 1}", direction=(0, 1, 0), **section, **mass)
+    found = [mode.omega for mode in m.build().vibrations(count=8)]
+    assert found[:6] == [0.0] * 6
+    assert found[6:] == pytest.approx([4.730040744862704**2] * 2, rel=2e-3)
+
+
 def plate(n: int) -> fx.System:
     """Masses on springs, joined by bars in a plane, above which each vibrates alone."""
     m = fx.Model()
