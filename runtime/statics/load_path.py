@@ -32,9 +32,7 @@ MOST_LEFT = 10  # unstable equilibria that are left, one after another
 MISSED = 1e-6  # share of a load that acts along free motions by rounding errors alone
 UNRESISTING = 1e-10  # stiffness, over the largest, of what counts as free
 RETURNED = 0.1  # share of a displacement that may be left where something resists
-DISPLACED = (
-    0.1  # displacement, in natural scales, from which a model descends, or returns if something resists
-)
+DISPLACED = 0.1  # displacement, in natural scales, from which a model descends or returns
 
 
 @dataclass
@@ -46,6 +44,8 @@ class FoundPath:
     states : list of State
     unstable : list of int or None
         Number of motions in which each is unstable, where that is known.
+    most : float
+        Largest parameter that was reached.
     branches : str
         Where the path becomes unstable because others branch off; empty if it does not.
     message : str
@@ -54,6 +54,7 @@ class FoundPath:
 
     states: list[State]
     unstable: list[int | None]
+    most: float = 0.0
     branches: str = ""
     message: str = ""
 
@@ -61,6 +62,7 @@ class FoundPath:
         """Add an equilibrium, at a point after another one."""
         self.states.append(state)
         self.unstable.append(point.unstable)
+        self.most = max(self.most, float(point.y[-1]))
         fold = last.tangent[-1] * point.tangent[-1] < 0
         if not self.branches and (point.unstable or 0) - (last.unstable or 0) > fold:
             self.branches = (
@@ -279,7 +281,8 @@ def _follow(problem: Rest, curve: LoadPath) -> FoundPath:
         )
         return found
     if arc is not None:
-        found.message = _stopped(problem, states, float(passed[0].y[-1]), arc, t0 != t1)
+        p = float(passed[0].y[-1]) if t0 != t1 else found.most
+        found.message = _stopped(problem, states, p, arc, t0 != t1)
     told = f"; {found.message}" if found.message else ""
     log.info("path to t = %g s: %d equilibria%s", states[-1].t, len(states), told)
     return found
@@ -397,7 +400,7 @@ def _stopped(problem: Rest, states: list[State], p: float, arc: float, loaded: b
     rows = np.argsort(-np.abs(np.nan_to_num(e[: problem.structure.m])))[:3]
     deformed = f"deformations {quoted([problem.structure.names[i] for i in rows])} are largest at the end"
     if not loaded:
-        return f"the search ended with {100 * p:.4g} % of the unbalanced forces removed; {deformed}"
+        return f"at most {100 * p:.4g} % of the unbalanced forces could be removed; {deformed}"
     if arc >= ARCS.smallest:
         why = f"{ARCS.steps} steps were not enough: apply a smaller load, or start again from the last state"
     else:
