@@ -12,13 +12,10 @@ from flexel.base.blas import in_one_thread
 from flexel.base.callers import outside
 from flexel.base.errors import IncompleteWarning, UnstableWarning
 from flexel.base.shown import Listing
-from flexel.integration.branch import Choices
 from flexel.integration.outcome import Integration
-from flexel.mechanics.amplification import amplification, lost, warn_replaced
 from flexel.mechanics.ranges import warn_beyond
 from flexel.mechanics.timed_laws import refuse_steady
 from flexel.model.controller import refuse_sampled
-from flexel.model.snapshot import Snapshot
 from flexel.model.state import State, own_state
 from flexel.results.motion import Motion
 from flexel.statics import load_path, stability
@@ -26,18 +23,6 @@ from flexel.statics.compliance import Compliance
 from flexel.statics.compliance import compliance as compliance_of
 from flexel.statics.steady import steady_motion
 from flexel.system import CoreSystem
-
-
-def _well_chosen(system: CoreSystem, state: State) -> State:
-    """Return the state, in the best degrees of freedom where the chosen ones have reached an extreme."""
-    own, here = system.kinematics_of(state.roles), Snapshot.of(state)
-    present = amplification(own, here)
-    most = lost(own.roles)
-    better = Choices(system, own, free=True).worse(here, present, most) if present > most else None
-    if better is None:
-        return state
-    warn_replaced(own, better, state.t)
-    return replace(state, roles=better.roles)
 
 
 @in_one_thread
@@ -96,7 +81,7 @@ def equilibrium(
             UnstableWarning,
             stacklevel=outside(),
         )
-    return _checked(system, _well_chosen(system, found.state), "equilibrium")
+    return _checked(system, found.state, "equilibrium")
 
 
 @in_one_thread

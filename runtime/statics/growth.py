@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from flexel.base.errors import ConstraintError
 from flexel.mechanics.inertia import InertiaError
 from flexel.mechanics.rigid import spectrum
 from flexel.model.state import State
@@ -19,14 +20,14 @@ FEW_VIBRATIONS = 10  # of larger models that are looked at
 def growing_motions(system: CoreSystem, state: State) -> int:
     """Count the eigenvalues of the linearized equations with positive real parts.
 
-    Returns zero if a degree of freedom has no inertia.  Of large models only the lowest vibrations are looked at,
-    without damping.
+    Returns zero if a degree of freedom has no inertia, or at a singular position, where nothing is known.  Of large
+    models only the lowest vibrations are looked at, without damping.
     """
     if system.roles.nq > MAX_DOFS:
         return _growing_vibrations(system, state)
     try:
         lin = system._linearization(state)
-    except InertiaError:
+    except (InertiaError, ConstraintError):
         return 0
     w = spectrum(lin.state_matrix, len(lin.dynamic))[0]
     return int(np.sum(w.real > GROWTH * np.abs(w).max(initial=0.0)))

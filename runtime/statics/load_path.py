@@ -16,7 +16,10 @@ from flexel.base.arguments import names, number
 from flexel.base.arrays import Array, Index
 from flexel.base.errors import DynamicsError, FlexelError, ModelError, PositionError
 from flexel.base.shown import counted, quoted
+from flexel.integration.branch import Choices
+from flexel.mechanics.amplification import amplification, lost, warn_replaced
 from flexel.mechanics.arclength import Arcs, CurvePoint, corrected, follow, point_at
+from flexel.model.snapshot import Snapshot
 from flexel.model.state import State
 from flexel.statics.equilibrium import MAX_STEP, STALLED_TOLERANCE, TOLERANCE, Equations, Rest
 from flexel.statics.growth import growing_motions
@@ -88,7 +91,7 @@ def equilibrium(
     problem = Rest(system, start, held)
     t = start.t if t is None else number(t, "equilibrium", "time t")
     q, mu = _balanced(problem, t, start)
-    count, state = unstable_motions(problem, q), problem.state(q.balance)
+    count, state = unstable_motions(problem, q), _well_chosen(system, problem.state(q.balance))
     unstable = _unstable(system, state, count, held=held.size > 0)
     log.info("equilibrium at t = %g s%s", t, f", unstable {unstable}" if unstable else "")
     if not (unstable and stable):
@@ -99,7 +102,19 @@ def equilibrium(
             f"no stable equilibrium found{problem.when(t)}: the one that was found is unstable, and the way out of it "
             "reaches none; start nearer to one, or support the parts that move"
         )
-    return FoundEquilibrium(settled, "")
+    return FoundEquilibrium(_well_chosen(system, settled), "")
+
+
+def _well_chosen(system: CoreSystem, state: State) -> State:
+    """Return the state, in the best degrees of freedom where the chosen ones have reached an extreme."""
+    own, here = system.kinematics_of(state.roles), Snapshot.of(state)
+    present = amplification(own, here)
+    most = lost(own.roles)
+    better = Choices(system, own, free=True).worse(here, present, most) if present > most else None
+    if better is None:
+        return state
+    warn_replaced(own, better, state.t)
+    return replace(state, roles=better.roles)
 
 
 def _left(problem: Rest, state: State, mu: Array, q: Equations, onward: Array) -> State | None:

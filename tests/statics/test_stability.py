@@ -260,3 +260,17 @@ def test_a_column_buckles_whether_or_not_it_may_spin(elements: int) -> None:
         DynamicsError, match=r"the load acts where nothing resists a motion of 'R\d+\.lambda1'"
     ):
         s.buckling(increment={"R0.lambda1": 1.0})
+
+
+def test_a_leaning_wheel_is_balanced_upright_where_its_degrees_of_freedom_end() -> None:
+    """Found, but those chosen where it leans do not determine it there: "choose other independent coordinates"."""
+    m = Model(gravity=(0.0, 0.0, -9.81))
+    m.point("hub", (0.6058521079814472, 0.22112306554604733, 0.5706632030064687))
+    m.point("contact", (0.3, 0.4, 0.1))
+    m.frame("frame", (0.955336489125606, -0.20896434210788312, 0.0, -0.20896434210788312))
+    axle = (0.6602189400721825, -0.3861275988842087, -0.644217687237691)
+    m.wheel("wheel", "hub", "frame", "contact", radius=0.6, axle=axle, height=0.1, crown=0.05)
+    m.body("body", "hub", "frame", mass=2.3, inertia=(0.02, 0.13, 0.14))
+    with pytest.warns(UnstableWarning, match="unstable in motion: 1 eigenvalue"):
+        state = m.build().equilibrium()
+    assert state["hub.z"] == pytest.approx(0.1 + 0.6, rel=1e-12)
