@@ -137,8 +137,7 @@ class Pencil:
         symmetric = (K + K.T) / 2
         T = A + B @ self._condensed(symmetric, A, B, Z)
         values, V = eigh(T.T @ symmetric @ T, T.T @ M @ T if not B.size else np.diag(m[~massless]))
-        odd = T.T @ (K - K.T) @ T / 2
-        if not skew(V.T @ odd @ V, values, np.ones(values.size), ROUNDING * np.abs(values).max(initial=0.0)):
+        if not self.skew(values, Z @ T @ V):
             return np.asarray(values), np.asarray(T @ V)
         T = A + B @ self._condensed(K, A, B, Z)
         root = 1 / np.sqrt(m[~massless])

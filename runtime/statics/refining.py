@@ -28,6 +28,7 @@ splu: Any = untyped_splu
 SHIFT_DISTANCE = 1e-4  # distance of the shift from an eigenvalue, relative to it
 ITERATIONS = 2  # steps of inverse iteration
 CORRECTION = 1e-9  # largest change of a coordinate, in natural scales, that removes only rounding errors
+SELF_STRESSED = 1e-14  # of stiffnesses under stresses, whose parts may cancel
 MAX_CHANGE = 1e-3  # largest relative change of an eigenvalue that corrects its last digits only
 
 
@@ -76,7 +77,7 @@ class StiffnessParts:
         Without laws, nothing is stiff.  The eigenvalue of a motion without stiffness, a rounding error, becomes zero.
         """
         if not self.S.nnz:
-            return value, vector
+            return (0.0 if abs(value) <= self._rounding(vector) else value), vector
         A = self.matrix(value * (1 - SHIFT_DISTANCE))
         factors = _factors(A)
         if factors is None:
@@ -86,9 +87,14 @@ class StiffnessParts:
             right = self._turned(A, factors, self.M @ right, "N")
             left = self._turned(A.T, factors, self.M.T @ left, "T")
         found = self.quotient(left, right)
-        if abs(found) <= MAX_CHANGE * abs(value):
+        if abs(found) <= max(MAX_CHANGE * abs(value), self._rounding(right)):
             return 0.0, vector
         return (found, right) if abs(found - value) <= MAX_CHANGE * abs(value) else (value, vector)
+
+    def _rounding(self, vector: Array) -> float:
+        """Return the rounding error of the eigenvalue of a motion (nf,), whose stiffness under stresses may cancel."""
+        size = np.abs(vector)
+        return float(SELF_STRESSED * (size @ (abs(self.G) @ size)) / (vector @ (self.M @ vector)))
 
     def correction(self, residual: Array) -> Array | None:
         """Solve for the change of all unknowns that removes a residual (nf + nm,); return None if undetermined."""

@@ -156,6 +156,23 @@ def test_motions_of_a_free_beam_have_no_frequency() -> None:
     assert found[6:] == pytest.approx([4.730040744862704**2] * 2, rel=2e-3)
 
 
+def test_what_floats_under_forces_within_it_does_not_flutter() -> None:
+    """Two bodies that press on each other; rounding errors coupled their motions as if forces had no potential."""
+    m = fx.Model(gravity=(0, 0, 0))
+    m.point("O", (0.3, -0.2, 0.1))
+    m.frame("R", (0.3623577544766736, -0.24909792362652178, 0.7472937708795654, -0.49819584725304356))
+    inertia = (0.13255, 0.18104, 0.25181, -0.01141, 0.0035, -0.01567)
+    m.body("b", "O", "R", mass=1.0, inertia=inertia, offset=(-0.08, 0.08, 0.07))
+    m.point("P", (0.38, -0.042, 0.448))
+    m.frame("S")
+    m.body_point("arm", "O", "S", "P")
+    inertia = (0.16824, 0.09283, 0.13654, -0.01166, 0.00105, 0.00695)
+    m.body("c", "P", "S", mass=1.7, inertia=inertia, offset=(-0.11, -0.02, -0.1))
+    m.truss("strut", "O", "P", mass_per_length=0.8)
+    m.spring("strut.elongation", 60.0, preload=2.0)
+    assert [mode.omega for mode in m.build().vibrations()] == [0.0] * 9
+
+
 def plate(n: int) -> fx.System:
     """Masses on springs, joined by bars in a plane, above which each vibrates alone."""
     m = fx.Model()
