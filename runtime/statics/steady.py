@@ -24,6 +24,7 @@ NOISE_SHARE = (
 )  # residual forces that are then accepted too, in rounding errors of coordinates
 MAX_ITERATIONS = 30
 MAX_STEP = 0.3  # largest change of a coordinate in one step
+MOST_NAMED = 6  # degrees of freedom in a message
 MAX_HALVINGS = 6  # of a step that leads to an unreachable position
 
 
@@ -61,10 +62,14 @@ def steady_motion(
     found = newton(first, evaluate, move, tolerance=TOLERANCE, stalled=STALLED_TOLERANCE, most=MAX_ITERATIONS)
     if found.converged:
         return found.point
+    shown = ", ".join(
+        f"{name} = {value:.6g}" for name, value in zip(dofs[:MOST_NAMED], found.point.q, strict=False)
+    )
+    more = f" and {len(dofs) - MOST_NAMED} more" if len(dofs) > MOST_NAMED else ""
+    rest = "" if np.any(first.v) else "; from further away, system.equilibrium() finds a state of rest"
     raise PositionError(
         f"no steady motion found near the start after {found.iterations} iterations (residual forces "
-        f"{found.error:.3g} of the balancing ones at {dict(zip(dofs, np.round(found.point.q, 6), strict=True))}); "
-        "start nearer to it, or name other unknowns"
+        f"{found.error:.3g} of the balancing ones at {shown}{more}); start nearer to it, or name other unknowns{rest}"
     )
 
 

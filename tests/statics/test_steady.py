@@ -28,3 +28,16 @@ def test_a_stiff_blade_turns_as_slowly_as_one_likes(EA: float, speed: float) -> 
     found = blade(n, EA, speed).steady()["P5.x"] - 1.0
     grown = speed**2 / (3 * EA)
     assert found == pytest.approx(grown, rel=0.06 / n**2 + 3 * grown, abs=4e-16)
+
+
+def test_a_search_that_fails_at_rest_names_the_one_that_looks_further() -> None:
+    m = fx.Model(gravity=(0, -9.81))
+    ends = [m.point("O", (0, 0), fixed=True), *(m.point(f"P{i}", (i + 1, 0.3 * i)) for i in range(8))]
+    for i, (one, other) in enumerate(zip(ends, ends[1:], strict=False)):
+        m.truss(f"t{i}", one, other, mass_per_length=1.0)
+    s = m.build()
+    with pytest.raises(
+        fx.PositionError, match=r"P5\.y = .* and 2 more\); .*system\.equilibrium\(\) finds a state of rest"
+    ):
+        s.steady()
+    assert s.equilibrium()["P7.x"] == pytest.approx(0.0, abs=1e-9)
