@@ -87,9 +87,10 @@ class StiffnessParts:
             right = self._turned(A, factors, self.M @ right, "N")
             left = self._turned(A.T, factors, self.M.T @ left, "T")
         found = self.quotient(left, right)
-        if abs(found) <= max(MAX_CHANGE * abs(value), self._rounding(right)):
-            return 0.0, vector
-        return (found, right) if abs(found - value) <= MAX_CHANGE * abs(value) else (value, vector)
+        if abs(found - value) <= MAX_CHANGE * abs(value):
+            return found, right
+        free = abs(found) <= max(MAX_CHANGE * abs(value), self._rounding(right))
+        return 0.0 if free else value, vector
 
     def _rounding(self, vector: Array) -> float:
         """Return the rounding error of the eigenvalue of a motion (nf,), whose stiffness under stresses may cancel."""
