@@ -35,6 +35,7 @@ SPRING_STIFFNESS = 100.0  # of springs on the conditions, relative to the larges
 RIGID_STIFFNESS = 1e6  # the same at which springs count as rigid, in very large models
 MOST_WAYS = 4  # soft motions of a very large model, among which the softest is looked for
 MAX_STEPS = 200  # of a descent
+FIRST_REACH = 0.02  # longest part of its first step, in natural scales
 SINGULAR_STIFFNESS = 1e9  # that indicates a singular element, relative to that at the start of a descent
 
 
@@ -196,7 +197,7 @@ def descend(
         x[:nf] += scale * step
         return DescentPoint(x, mu, q.balance.e, reach, step, float(r @ step))
 
-    start = DescentPoint(x, mu, unwrap_from, MAX_STEP, np.zeros(nf), 0.0)
+    start = DescentPoint(x, mu, unwrap_from, FIRST_REACH, np.zeros(nf), 0.0)
     here = evaluate(start)[0]
     if not _has_potential(here.matrix.sparse.tocsc()[:nf, :nf]):
         return None  # no potential decreases along the descent
@@ -219,7 +220,12 @@ def _downhill(here: Tangent, r: Array, reach: float) -> Array:
         NEUTRAL_TOLERANCE * float(np.abs(pull).max(initial=0.0)),
     )
     size = np.maximum(np.abs(w), least + 1e-300)
-    return np.asarray(-Z @ (V @ np.clip(pull / size, -reach, reach)))
+    parts = np.clip(pull / size, -reach, reach)
+    free = np.abs(w) <= least  # their eigenvectors are any of many: only all of them together lead downhill
+    most = float(np.abs(pull[free]).max(initial=0.0))
+    if most:
+        parts[free] = pull[free] * min(1 / float(size[free].min()), reach / most)
+    return np.asarray(-Z @ (V @ parts))
 
 
 def way_out(problem: Rest, q: Equations, onward: Array) -> tuple[Array, float]:

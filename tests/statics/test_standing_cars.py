@@ -68,3 +68,25 @@ def test_a_force_along_a_motion_that_nothing_resists_is_named_and_can_be_held() 
     state = s.equilibrium(hold=["chassis.x"])
     assert abs(state["chassis.y"]) < 1e-9
     assert 1.0 < abs(state.force("chassis.x")) < 100.0
+
+
+def test_wheels_drawn_on_the_road_settle_where_they_are() -> None:
+    """Nothing resists the fall until they touch: the descent took 0.2 m along the road, turned and rolled the car."""
+    m = fx.Model(gravity=(0, 0, -9.81))
+    m.point("C", (0, 0, 0.5))
+    m.frame("B")
+    m.body("body", "C", "B", mass=300.0, inertia=(20.0, 40.0, 50.0))
+    for name, (x, y) in {"left": (1, 0.6), "right": (1, -0.6), "rear": (-1, 0)}.items():
+        m.point(f"{name} hub", (x, y, 0.3))
+        m.frame(name)
+        m.body_point(f"{name} arm", "C", "B", f"{name} hub")
+        m.hinge(f"{name} axle", "B", name, (0, 1, 0))
+        m.body(f"{name} rim", f"{name} hub", name, mass=10.0, inertia=(0.3, 0.5, 0.3))
+        m.tyre(f"{name} tyre", f"{name} hub", name, radius=0.3, axle=(0, 1, 0), crown=0.05)
+        m.attach("vertical_tyre", [f"{name} tyre.deflection"], stiffness=1e5, damping=100.0)
+    found = m.build().equilibrium()
+    # with the weight in the middle, the rear wheel carries half of it, and sinks by twice as much
+    rear, front = (found[f"{name} hub.z"] - 0.3 for name in ("rear", "left"))
+    assert (rear, front) == pytest.approx((-165 * 9.81 / 1e5, -82.5 * 9.81 / 1e5), rel=0.05)
+    assert abs(found["C.x"]) < 1e-3
+    assert (found["C.y"], found["left hub.y"]) == pytest.approx((0, 0.6), abs=1e-5)
