@@ -248,7 +248,12 @@ def rates_at(function: TimeFunction, times: Array) -> Array:
 
 
 def _of_all(plain: Callable[[Any], Any], times: Array) -> Array | None:
-    """Call a user's function with many times at once; None if it takes one only."""
+    """Call a user's function with many times at once; None if it takes one only.
+
+    A single time is no proof: float() takes an array of one number, with a warning of older versions of NumPy.
+    """
+    if times.size < 2:
+        return None
     try:
         values = np.asarray(plain(times), dtype=float)
     except Exception:  # a user's function may raise anything for an array
