@@ -189,9 +189,8 @@ def _follows(
 
     def cosine(a: Array, b: Array) -> float:
         lengths = float(np.sqrt((weights @ a**2) * (weights @ b**2)))
-        return (
-            float((weights * a) @ b) / lengths if lengths else 0.0
-        )  # a point on the last one does not follow it
+        # a point on the last one does not follow it
+        return float((weights * a) @ b) / lengths if lengths else 0.0
 
     astray = float(np.sqrt(weights @ (point.y - guess) ** 2))
     if arc <= SHORT:

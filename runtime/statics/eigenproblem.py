@@ -115,10 +115,16 @@ class Pencil:
         return values[order], vectors[: self.size, order]
 
     def skew(self, values: Array, vectors: Array) -> bool:
-        """Whether the skew part of K couples these modes (nf or more, …) of its symmetric part."""
+        """Whether the skew part of K couples these modes (nf or more, …) of its symmetric part.
+
+        A coupling may be a rounding error: all of it, between motions without stiffness.
+        """
         V = vectors[: self.size]
+        coupling = V.T @ ((self.K - self.K.T) @ V) / 2
+        stiffness = np.abs(values * self._mass(V))
+        pairs = np.sqrt(np.outer(stiffness, stiffness))
         sums = np.abs(V).T @ (abs(self.K) @ np.abs(V))
-        return skew(V.T @ ((self.K - self.K.T) @ V) / 2, values, self._mass(V), ROUNDING * sums)
+        return bool(np.any(np.abs(coupling) > SKEW_TOLERANCE * pairs + ROUNDING * sums))
 
     def _mass(self, V: Array) -> Array:
         return np.asarray(np.einsum("ij,ij->j", V, self.M @ V))
@@ -225,18 +231,3 @@ def _nearest(
             "much, or many of its motions are alike; ask for another number of modes, or use fewer elements"
         ) from None
     return values, vectors
-
-
-def skew(coupling: Array, values: Array, mass: Array, rounding: float | Array) -> bool:
-    """Whether a skew part (modes, modes) in the modes of the symmetric part changes their eigenvalues.
-
-    Parameters
-    ----------
-    values, mass : ndarray (modes,)
-        Eigenvalues, and the norms of the modes, whose products are their stiffnesses.
-    rounding : float or ndarray (modes, modes)
-        Coupling that may be a rounding error: all of it, between motions without stiffness.
-    """
-    stiffness = np.abs(values * mass)
-    pairs = np.sqrt(np.outer(stiffness, stiffness))
-    return bool(np.any(np.abs(coupling) > SKEW_TOLERANCE * pairs + rounding))

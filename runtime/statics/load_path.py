@@ -24,7 +24,7 @@ from flexel.model.state import State
 from flexel.statics.equilibrium import MAX_STEP, STALLED_TOLERANCE, TOLERANCE, Equations, Rest
 from flexel.statics.growth import growing_motions
 from flexel.statics.rest_check import unbalanced
-from flexel.statics.search import MAX_NULL_SPACE_SIZE, Search, heaviest
+from flexel.statics.search import Search, free_motion, heaviest
 from flexel.statics.settling import descend, unstable_motions, way_out
 from flexel.system import CoreSystem
 
@@ -130,9 +130,12 @@ def _left(problem: Rest, state: State, mu: Array, q: Equations, onward: Array) -
     """
     for _ in range(MOST_LEFT):
         before, (way, steepness) = state.x, way_out(problem, q, onward)
-        x, e = state.x.copy(), state.e
-        x[: way.size] += DISPLACED * problem.x_scale * way
-        if q.matrix.free_motion() is None:
+        descended = None
+        if free_motion(q) is not None:
+            x = state.x.copy()
+            x[: way.size] += DISPLACED * problem.x_scale * way
+            descended = _descended(problem, state.t, x, mu, state.e)
+        if descended is None:
             forces = np.zeros(len(q.residual))
             forces[: way.size] = steepness * way / problem.x_scale
             found = _follow(problem, LoadPath(problem, state, mu, (state.t, state.t), forces))
@@ -141,8 +144,7 @@ def _left(problem: Rest, state: State, mu: Array, q: Equations, onward: Array) -
             if not found.message and not unstable_motions(problem, q):
                 return state
             beside = found.states[-1 if found.message else -2]
-            x, mu, e = beside.x, problem.multipliers(beside), beside.e
-        descended = _descended(problem, state.t, x, mu, e)
+            descended = _descended(problem, state.t, beside.x, problem.multipliers(beside), beside.e)
         if descended is None:
             return None
         (q, mu), state = descended, problem.state(descended[0].balance)
@@ -331,8 +333,7 @@ class LoadPath:
         rest = problem.equations(times[0], start.x, mu, start.e)
         self.unbalance, self.begin = (rest.residual, 0.0) if push is None else (push, 1.0)
         self.first = self._loaded(rest, self.begin)
-        loaded = times[0] != times[1] and len(rest.residual) <= MAX_NULL_SPACE_SIZE
-        self._free = loaded and rest.matrix.free_motion() is not None
+        self._free = times[0] != times[1] and free_motion(rest) is not None
         self._weights = np.concatenate([problem.x_scale**-2.0, np.zeros(mu.size), [1.0]])
 
     def _loaded(self, rest: Equations, p: float) -> Loaded:
@@ -389,7 +390,7 @@ class LoadPath:
         name = problem.structure.names[problem.first + heaviest(problem, way)]
         raise DynamicsError(
             f"no path{problem.when(balance.t)}: the load acts where nothing resists a motion of '{name}'; support it, "
-            f"give hold=['{name}'], or start from an equilibrium under a part of the load, system.equilibrium(t=…)"
+            f"give hold=['{name}'], or start from an equilibrium under part of the load, system.equilibrium(t=…)"
         )
 
     def sign(self, equations: Loaded) -> int:

@@ -130,7 +130,7 @@ class Search:
 
     def _new_step(self, q: Equations) -> Array:
         if self._neutral is None:
-            motion = q.matrix.free_motion() if len(q.residual) <= MAX_NULL_SPACE_SIZE else None
+            motion = free_motion(q)
             self._neutral = motion is not None
             if motion is not None:
                 log.info("nothing resists a motion of %s: steps without it", q.matrix.names_of(motion))
@@ -165,6 +165,11 @@ class Search:
             f"no equilibrium{problem.when(self.t)}: a force acts where nothing resists a motion of '{name}'; "
             f"support it, or give hold=['{name}']{problem.unheld()}"
         )
+
+
+def free_motion(q: Equations) -> Array | None:
+    """Return a motion (nf,) that nothing resists; None if there is none, or in a model too large to leave it out."""
+    return q.matrix.free_motion() if len(q.residual) <= MAX_NULL_SPACE_SIZE else None
 
 
 def heaviest(problem: Rest, motion: Array) -> int:

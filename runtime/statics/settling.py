@@ -224,7 +224,7 @@ def _downhill(here: Tangent, r: Array, reach: float) -> Array:
     free = np.abs(w) <= least  # their eigenvectors are any of many: only all of them together lead downhill
     most = float(np.abs(pull[free]).max(initial=0.0))
     if most:
-        parts[free] = pull[free] * min(1 / float(size[free].min()), reach / most)
+        parts[free] = pull[free] * min(1 / (least + 1e-300), reach / most)
     return np.asarray(-Z @ (V @ parts))
 
 

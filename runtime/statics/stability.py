@@ -31,7 +31,7 @@ from flexel.statics.eigenproblem import (
 from flexel.statics.equilibrium import Equations, Rest
 from flexel.statics.refining import parts
 from flexel.statics.rest_check import check_balance, check_rest
-from flexel.statics.search import MAX_NULL_SPACE_SIZE
+from flexel.statics.search import free_motion
 from flexel.system import CoreSystem
 
 _eigsh: Any = eigsh
@@ -120,9 +120,7 @@ def buckling(
 
 def _free_motions(q: Equations) -> Array:
     """Return motions (nf, r) that nothing resists, such as the spin of a column between ball joints."""
-    if len(q.residual) > MAX_NULL_SPACE_SIZE or q.matrix.free_motion() is None:
-        return np.zeros((q.matrix.structure.nf, 0))
-    return q.matrix.free_motions()
+    return np.zeros((q.matrix.structure.nf, 0)) if free_motion(q) is None else q.matrix.free_motions()
 
 
 def _by_load(problem: Rest, q: Equations, load: Array, free: Array) -> Any:
